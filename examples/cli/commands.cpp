@@ -427,7 +427,7 @@ class Run {
     }
     Result<std::optional<prescription::Prescription>> asked =
         std::optional<prescription::Prescription>();
-    if (a_.solve.boundary == api::BoundaryKind::kFree) asked = prescription();
+    if (a_.solve.boundary != api::BoundaryKind::kConvex) asked = prescription();
     if (!asked) return fail(asked.error());
     api::SolveOptions options = a_.solve;
     options.progress = progress_.callback();

@@ -309,9 +309,10 @@ class Table {
 
   void addSolve(CLI::App* sub) {
     sub->option_defaults()->group("Solve");
-    choice(
-        sub->add_option("--boundary", words_.boundary,
-                        "convex: a disk onto a convex polygon (Tutte); no cones (default free)"));
+    choice(sub->add_option(
+        "--boundary", words_.boundary,
+        "convex: a disk onto a convex polygon (Tutte); rectangle: onto a rectangle, "
+        "exactly, with four corners given by --cone V:1 or chosen (default free)"));
     choice(
         sub->add_option("--frames", words_.frames,
                         "auto: a smooth field that hgp computes; file: the directions of --field"));

@@ -109,7 +109,7 @@ def parametrize(
     count: int = 0,
     cones_for: ConesFor = "balanced",
     align_to_curvature: bool = False,
-    boundary: Literal["free", "convex"] = "free",
+    boundary: Literal["free", "convex", "rectangle"] = "free",
     method: Method = "auto",
     max_rounds: int = 24,
     frames: Literal["auto", "file"] = "auto",

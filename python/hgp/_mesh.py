@@ -304,7 +304,7 @@ class Mesh:
         count: int = 0,
         cones_for: ConesFor = "balanced",
         align_to_curvature: bool = False,
-        boundary: Literal["free", "convex"] = "free",
+        boundary: Literal["free", "convex", "rectangle"] = "free",
         method: Method = "auto",
         max_rounds: int = 24,
         frames: Literal["auto", "file"] = "auto",
@@ -338,7 +338,8 @@ class Mesh:
             marked: so do edges that the file itself marks in these ways: "lines" (OBJ), "smoothing" groups, "materials",
                 split "normals"; True: all of them.
             count, cones_for, align_to_curvature: of automatic cones, see suggest_cones.
-            boundary: "convex" maps a disk without cones onto a convex polygon.
+            boundary: "convex" maps a disk without cones onto a convex polygon, "rectangle" onto a rectangle
+                whose corners are cones {vertex: 1} on the boundary, or chosen.
             method, max_rounds, frames: how to solve; see docs/cli.md.
             improve: lower the distortion of a certified map: "isometric" (angles and areas), "conformal" (angles),
                 "area", or a number from -1 (angles) to 1 (areas).

@@ -210,7 +210,7 @@ std::shared_ptr<Map> Surface::parametrize(const py::dict& asked, const py::dict&
   api::SolveOptions how = toSolveOptions(options);
   how.progress = watch.progress();
   std::optional<prescription::Prescription> wanted;
-  if (how.boundary == api::BoundaryKind::kFree) wanted = prescription(asked);
+  if (how.boundary != api::BoundaryKind::kConvex) wanted = prescription(asked);
   Arithmetic::check(isReproducible);
   Result<std::shared_ptr<Map>> made = alone_.run([&]() -> Result<std::shared_ptr<Map>> {
     if (Status done = ready(); !done) return done.error();

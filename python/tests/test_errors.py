@@ -65,7 +65,7 @@ def test_a_mesh_that_cannot_be_used_says_where() -> None:
         ({"grid": -1.0}, "grid must be above 0, not -1.0"),
         ({"cells": "auto", "grid": 1.0}, "cells and grid exclude each other"),
         ({"cells": 9, "scale": "fit"}, "would undo a grid"),
-        ({"boundary": "open"}, "boundary must be 'free' or 'convex'"),
+        ({"boundary": "open"}, "boundary must be 'free', 'convex' or 'rectangle'"),
         ({"boundary": "convex", "cones": {}}, "cannot be combined"),
         ({"max_rounds": 0}, "max_rounds must be from 1 to 1000"),
         ({"time_limit": 0}, "time_limit must be"),

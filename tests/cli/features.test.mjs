@@ -276,6 +276,81 @@ test('check looks at triangles between three features as a run does: split', () 
   assert.ok(edges.every(({ id, other }) => [a, b, c].includes(id) && [a, b, c].includes(other))); // prettier-ignore
 });
 
+/** A wavy sheet of m × n squares. */
+function sheet(m, n) {
+  const vertices = [];
+  for (let j = 0; j <= n; j++)
+    for (let i = 0; i <= m; i++) vertices.push([i + 0.2 * Math.sin(j), j, 0.5 * Math.sin(i * 0.9)]);
+  const triangles = [];
+  for (let j = 0; j < n; j++)
+    for (let i = 0; i < m; i++) {
+      const a = j * (m + 1) + i;
+      triangles.push([a, a + 1, a + m + 2], [a, a + m + 2, a + m + 1]);
+    }
+  return { vertices, triangles };
+}
+
+/** Which sides of the box around all uv hold each vertex, by the stored numbers: "l", "r", "b" and "t". */
+function sidesOf(name) {
+  const { corners, faces } = cornersOf(name);
+  const all = corners.flat();
+  const [[left, right], [bottom, top]] = [0, 1].map((k) => [Math.min(...all.map((p) => p[k])), Math.max(...all.map((p) => p[k]))]); // prettier-ignore
+  const sides = new Map();
+  faces.forEach((face, f) =>
+    face.forEach((v, k) => {
+      const [x, y] = corners[f][k];
+      sides.set(v, (x === left ? 'l' : '') + (x === right ? 'r' : '') + (y === bottom ? 'b' : '') + (y === top ? 't' : '')); // prettier-ignore
+    }),
+  );
+  return sides;
+}
+
+/** Expects that the boundary of the sheet lies on the sides of a rectangle, nothing else does, and where its corners are. */
+function expectRectangle(name, { m, n }, corners) {
+  const sides = sidesOf(name);
+  for (const [v, on] of sides) {
+    const [i, j] = [v % (m + 1), Math.floor(v / (m + 1))];
+    const isOnRim = j <= n && (i === 0 || j === 0 || i === m || j === n); // later ones split edges
+    assert.equal(on.length > 0, isOnRim, `vertex ${v} at ${i} ${j}`);
+  }
+  const found = [...sides].filter(([, on]) => on.length === 2).map(([v]) => v);
+  if (corners) assert.deepEqual(found.sort((a, b) => a - b), corners); // prettier-ignore
+  assert.equal(found.length, 4);
+}
+
+test('a disk becomes a rectangle, with corners that are chosen or given', () => {
+  const [m, n] = [14, 9];
+  const last = (m + 1) * (n + 1) - 1;
+  put('sheet.obj', toObj(sheet(m, n)));
+  good('param', 'sheet.obj', '--boundary', 'rectangle', '-o', 'chosen.obj', '--json', 'chosen.json'); // prettier-ignore
+  assert.deepEqual(problems('hgp-report', JSON.parse(read('chosen.json'))), []);
+  expectRectangle('chosen.obj', { m, n }, [0, m, last - m, last]);
+  const given = [4, 2 * (m + 1), m, last - 3];
+  const cones = given.flatMap((v) => ['--cone', `${v}:1`]);
+  good('param', 'sheet.obj', '--boundary', 'rectangle', cones, '-o', 'given.obj');
+  expectRectangle('given.obj', { m, n }, given.sort((a, b) => a - b)); // prettier-ignore
+  // The same with the rims as features, and with a cone inside, which leaves three corners.
+  good('param', 'sheet.obj', '--rims', cones, '-o', 'rims.obj');
+  assert.equal(read('rims.obj').replace(/^#.*/gm, ''), read('given.obj').replace(/^#.*/gm, ''));
+  const inside = 4 * (m + 1) + 6;
+  good('param', 'sheet.obj', '--rims', '--cone', `${inside}:3`, '-o', 'three.obj', '--json', 'three.json'); // prettier-ignore
+  const { cones: found } = JSON.parse(read('three.json'));
+  assert.deepEqual(found.cones.map(({ vertex, k }) => [vertex, k]), [[inside, 3]]); // prettier-ignore
+  good('verify', 'three.obj', '--rims', '--cone', `${inside}:3`, '--turning', '0:3');
+  const refused = (code, pattern, ...words) => {
+    const result = run('param', 'sheet.obj', '-o', 'no.obj', words);
+    assert.equal(result.code, code, result.err);
+    assert.match(result.err, pattern);
+  };
+  const asked = ['--boundary', 'rectangle'];
+  refused(2, /no cones inside/, ...asked, '--cone', `${inside}:3`);
+  refused(2, /four corners of 90°/, ...asked, ...cones.slice(2));
+  refused(2, /four corners of 90°/, ...asked, ...cones.slice(2), '--cone', `${given[0]}:2`);
+  refused(2, /q = 4/, ...asked, '--q', '3');
+  refused(2, /not carried over to a refined/, ...asked, '--refine');
+  refused(5, /prescribed cones and corners/, '--rims', '--cone', `${inside}:3`, ...cones);
+});
+
 test('what does not go together is refused', () => {
   const refused = (code, pattern, ...words) => {
     const result = run('param', 'closed.obj', '-o', 'no.obj', '--features', 'creases.txt', words);
@@ -288,6 +363,7 @@ test('what does not go together is refused', () => {
   refused(2, /not carried over to a refined/, '--refine');
   refused(2, /--boundary convex cannot be combined/, '--boundary', 'convex');
   refused(5, /cones? differs? from the prescribed/, '--cone', '0:2', '--cone', '1:2');
+  refused(4, /rectangle needs a disk/, '--boundary', 'rectangle');
   put('strange.txt', '0 3\n0 99999\n');
   const strange = run('param', 'closed.obj', '--features', 'strange.txt', '-o', 'no.obj');
   assert.equal(strange.code, 5);

@@ -48,7 +48,10 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
       [() => model.parametrize({ q: '6' }), /q is an integer from 1 to 64, not '6'/],
       [() => model.parametrize({ q: 4.5 }), /not 4.5/],
       [() => model.parametrize({ cones: [{ vertex: 1, k: 3 }] }), /cones is \{ q, cones/],
-      [() => model.parametrize({ boundary: 'round' }), /'free' or 'convex', not 'round'/],
+      [
+        () => model.parametrize({ boundary: 'round' }),
+        /'free', 'convex' or 'rectangle', not 'round'/,
+      ],
       [() => model.parametrize(4), /an object, not 4/],
       [() => model.parametrize({}, { sginal: undefined }), /no option 'sginal'/],
       [() => model.inspect({ signal: 4 }), /signal is an AbortSignal, not 4/],

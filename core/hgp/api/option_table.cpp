@@ -28,7 +28,7 @@ constexpr std::array kSolveRows{
     OptionRow{"conesFor", "--cones-for", "cones_for", K::kWord,
               "balanced|few|fewer|more|low-distortion"},
     OptionRow{"alignToCurvature", "--align", "align_to_curvature", K::kFlag},
-    OptionRow{"boundary", "--boundary", "boundary", K::kWord, "free|convex"},
+    OptionRow{"boundary", "--boundary", "boundary", K::kWord, "free|convex|rectangle"},
     OptionRow{"maxRounds", "--rounds", "max_rounds", K::kInteger, "", 1, 1000},
     OptionRow{"method", "--method", "method", K::kWord, "auto|harmonic|soft|printed|all-frames"},
     OptionRow{"frames", "--frames", "frames", K::kWord, "auto|file"},

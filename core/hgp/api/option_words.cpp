@@ -17,6 +17,7 @@ constexpr std::array<NamedBalance, 3> kBalances{
 
 /// In the order of Symmetry.
 constexpr std::array<const char*, 5> kSymmetries{"none", "auto", "X", "Y", "Z"};
+constexpr std::array kBoundaries{"free", "convex", "rectangle"};
 
 /// The value at the place of the word.
 template <class Value, std::size_t N>
@@ -29,7 +30,10 @@ std::optional<Value> valueNamed(std::string_view word, const std::array<const ch
 }  // namespace
 
 std::optional<BoundaryKind> boundaryNamed(std::string_view word) {
-  return valueNamed<BoundaryKind>(word, std::array{"free", "convex"});
+  return valueNamed<BoundaryKind>(word, kBoundaries);
+}
+const char* boundaryName(BoundaryKind boundary) {
+  return kBoundaries[static_cast<std::size_t>(boundary)];
 }
 
 std::optional<FrameSource> framesNamed(std::string_view word) {

@@ -12,6 +12,7 @@ namespace hgp::api {
 // The words themselves are those of option_table.h; empty for others. Any thread may call these functions.
 
 std::optional<BoundaryKind> boundaryNamed(std::string_view word);
+const char* boundaryName(BoundaryKind boundary);
 std::optional<FrameSource> framesNamed(std::string_view word);
 std::optional<Scale> scaleNamed(std::string_view word);
 std::optional<GridMode> gridModeNamed(std::string_view word);

@@ -32,7 +32,11 @@ struct LoadOptions {
   bool writesRepairs = false;
 };
 
-enum class BoundaryKind { kFree, kConvex };
+enum class BoundaryKind {
+  kFree,
+  kConvex,     ///< disks onto a convex polygon, without cones (parametrizeConvex)
+  kRectangle,  ///< disks onto a rectangle: rims are features, with four corners
+};
 enum class FrameSource {
   kAuto,  ///< those of a trivial connection computed here, with the prescribed holonomy
   kFile,  ///< those of the field that came with the prescription

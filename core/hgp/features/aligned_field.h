@@ -24,12 +24,25 @@ struct AlignedField {
       turn;  ///< ω across h from its face, with its multiple of 2π; 0 on the boundary
   PerHalfedge<double> tilt;  ///< δ, with its multiple of 2π; 0 off features
   std::vector<int> index;    ///< per Sectors::node: k of a vertex off Γ, a of a sector
-  int moved = 0;             ///< units of index that were moved to make all of them possible
+  std::vector<int> given;  ///< per node: the index that is prescribed, 0 where it is free; or empty
+  int moved = 0;           ///< units of index that were moved to make all of them possible
 };
 
 /// The largest index that the triangles of a node can hold: two quarter turns for each, one where the triangle has a right
 /// angle between two feature edges elsewhere, all less than that.
 int largestIndex(const TriMesh& mesh, const Sectors& sectors, int node);
+
+/// Indices that `asked` prescribes, as AlignedField::given; empty where it has neither cones nor corners. With either, every
+/// vertex off Γ is a cone of `asked` or has k = 4, and a loop with corners has no others. The sectors of a vertex where
+/// several meet stay free.
+std::vector<int> givenIndices(const TriMesh& mesh, const Topology& topology, const Sectors& sectors,
+                              const HolonomySpec& asked);
+
+/// Whether the field has the indices that are prescribed.
+bool hasGivenIndices(const AlignedField& aligned);
+
+/// Σ a over the sectors of a vertex on Γ.
+int indexAround(const TriMesh& mesh, const AlignedField& aligned, VertexId v);
 
 /// What the field prescribes: cones at inner vertices (Σ a on Γ), turning Σ(2 − a) of the loops, handles, features.
 /// @param handles  context.handles.loops

@@ -94,7 +94,7 @@ void readIndices(const TriMesh& mesh, const Geometry& geometry, AlignedField& ou
 }  // namespace
 
 Result<AlignedField> alignedField(const TriMesh& mesh, const FieldContext& context,
-                                  const std::vector<EdgeId>& features) {
+                                  const std::vector<EdgeId>& features, const HolonomySpec& asked) {
   const Geometry& geometry = context.geometry;
   AlignedField out;
   out.sectors = findSectors(mesh, features);
@@ -109,6 +109,7 @@ Result<AlignedField> alignedField(const TriMesh& mesh, const FieldContext& conte
   out.field = std::move(*field);
   readTurns(mesh, geometry, out);
   readIndices(mesh, geometry, out);
+  out.given = givenIndices(mesh, context.topology, out.sectors, asked);
   if (Status done = makeIndicesPossible(mesh, geometry, out); !done) return std::move(done).error();
   if (out.moved > 0) fitField(mesh, geometry, out);
   return out;

@@ -10,8 +10,10 @@ namespace hgp {
 /// Fails with kPrescription, and the places, where a triangle has three feature edges, and where no field has possible
 /// indices.
 /// @param features  contain all boundary edges
+/// @param asked     its cones and corners are indices that are given (givenIndices)
 /// @param context   without Laplacian and handles
 Result<AlignedField> alignedField(const TriMesh& mesh, const FieldContext& context,
-                                  const std::vector<EdgeId>& features);
+                                  const std::vector<EdgeId>& features,
+                                  const HolonomySpec& asked = {});
 
 }  // namespace hgp

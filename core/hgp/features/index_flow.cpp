@@ -20,6 +20,16 @@ constexpr int kMostVisited = 2000;
 /// Cost of an index per unit beyond its bounds.
 constexpr double kImpossible = 1e6;
 
+Failure notAsAsked(std::vector<Where> stuck) {
+  return {
+      ErrorCode::kPrescription, "features",
+      "The prescribed cones and corners are not possible along these features: " +
+          counted(stuck.size(), "place has", "places have") +
+          " too few triangles or a quarter turn too many or too few, which nothing else between "
+          "the features may have. Add or leave out cones or corners, or refine the mesh there.",
+      std::move(stuck)};
+}
+
 /// Nodes are vertices off Γ and sectors (Sectors::node); the edges of a node's corners lead to its neighbours.
 class IndexFlow {
  public:
@@ -55,14 +65,15 @@ class IndexFlow {
     std::vector<Where> stuck;
     for (int n = 0; n < static_cast<int>(angle_.size()); ++n) {
       if (!exists(n)) continue;
-      while (index(n) < 1 || index(n) > largestIndex(mesh_, sectors_, n)) {
-        if (!moveUnit(n, index(n) < 1 ? 1 : -1)) {
+      while (index(n) < lowest(n) || index(n) > largest(n)) {
+        if (!canHold(n) || !moveUnit(n, index(n) < lowest(n) ? 1 : -1)) {
           stuck.push_back({Where::Kind::kVertex, vertexOf(n).i});
           break;
         }
       }
     }
     if (stuck.empty()) return Done{};
+    if (!field_.given.empty()) return notAsAsked(std::move(stuck));
     return Failure{ErrorCode::kPrescription, "features",
                    "No cones and corners are possible between these features: " +
                        counted(stuck.size(), "corner") +
@@ -82,9 +93,16 @@ class IndexFlow {
                                    : mesh_.tail(sectors_.list[at(n - mesh_.vertexCount())].first);
   }
   int& index(int n) { return field_.index[at(n)]; }
+  int given(int n) const { return field_.given.empty() ? 0 : field_.given[at(n)]; }
+  int lowest(int n) const { return given(n) != 0 ? given(n) : 1; }
+  int largest(int n) const { return given(n) != 0 ? given(n) : largestIndex(mesh_, sectors_, n); }
+  /// Whether a prescribed index is one that the triangles can have.
+  bool canHold(int n) const {
+    return lowest(n) >= 1 && lowest(n) <= largestIndex(mesh_, sectors_, n);
+  }
 
   double cost(int n, int value) const {
-    const int excess = std::max(1 - value, value - largestIndex(mesh_, sectors_, n));
+    const int excess = std::max(lowest(n) - value, value - largest(n));
     if (excess > 0) return kImpossible * excess;
     if (n < mesh_.vertexCount()) return std::abs(value - 4);
     const double miss = value - angle_[at(n)] / kQuarterTurn;

@@ -9,7 +9,7 @@
 
 namespace hgp {
 
-/// While a node has an index below 1 or above largestIndex(), moves a unit along the cheapest path of edges of its patch
+/// While a node has an index below 1 or above largestIndex(), or not the given one, moves a unit along the cheapest path of edges of its patch
 /// to or from the node where that costs least: a unit that moves along an edge changes the matching across it by one, or
 /// the axis on this side of a feature edge, so that all equations of AlignedField stay true and Gauss–Bonnet holds on
 /// every patch. Costs per node: kSectorCost (a − angle/(π/2))² for sectors, |k − 4| for vertices.

@@ -31,6 +31,9 @@ struct HolonomySpec {
   std::vector<std::optional<int>> handles;
   /// Edges that the map must send to lines u = const or v = const, exactly (module features); ascending.
   std::vector<EdgeId> features = {};
+  /// Along features: boundary vertices where the map has an interior angle of 2πk/q. The other vertices of a loop that
+  /// has one are straight.
+  std::vector<ConePoint> corners = {};
 };
 
 /// A prescription in which every number is given.

@@ -133,6 +133,66 @@ TEST(AlongFeatures, ConesOfTheFieldMayBePrescribedAndNoOthers) {
   EXPECT_FALSE(other.error().where.empty());
 }
 
+/// A rim without corners but those that are given.
+HolonomySpec rimOf(const TriMesh& mesh, std::vector<ConePoint> corners,
+                   std::vector<ConePoint> cones = {}) {
+  HolonomySpec spec;
+  spec.features = test::creasesOf(mesh);
+  spec.corners = std::move(corners);
+  spec.cones = std::move(cones);
+  return spec;
+}
+
+TEST(AlongFeatures, CornersOfARimAreThoseThatAreGiven) {
+  const TriMesh mesh = test::jittered(test::grid(9, 6), 0.0).mesh();
+  const Topology topology = computeTopology(mesh);
+  const auto& rim = topology.loops[0].halfedges;
+  // Corners of the grid may be straight in the map: they have two triangles or get them by a split, which is not done here.
+  std::vector<ConePoint> corners;
+  for (std::size_t i = 0; i < rim.size(); ++i)
+    if (mesh.valence(mesh.tail(rim[i])) == 1) corners.push_back({mesh.tail(rim[i]), 1});
+  ASSERT_EQ(corners.size(), 2u);
+  for (const std::size_t step : {std::size_t{4}, std::size_t{9}})
+    for (std::size_t i = step; corners.size() < 4; i += step)
+      if (mesh.valence(mesh.tail(rim[i])) > 2) corners.push_back({mesh.tail(rim[i]), 1});
+  PreparedSurface surface(mesh);
+  const Result<Parametrization> run = parametrizeAlongFeatures(surface, rimOf(mesh, corners), {});
+  ASSERT_TRUE(run);
+  expectStraight("four corners", mesh, *run);
+  EXPECT_EQ(run->certificate.features.corners, 4);
+  EXPECT_TRUE(run->spec.cones.empty());
+}
+
+TEST(AlongFeatures, ConesOffFeaturesAreKeptAndCornersMakeUpTheRest) {
+  const TriMesh mesh = test::jittered(test::grid(12, 9), 0.0).mesh();
+  for (const int k : {3, 5}) {
+    const VertexId inside(4 * 13 + 6);
+    ASSERT_FALSE(mesh.isBoundary(inside));
+    PreparedSurface surface(mesh);
+    const Result<Parametrization> run =
+        parametrizeAlongFeatures(surface, rimOf(mesh, {}, {{inside, k}}), {});
+    ASSERT_TRUE(run) << k;
+    expectStraight("one cone", mesh, *run);
+    ASSERT_EQ(run->spec.cones.size(), 1u);
+    EXPECT_EQ(run->spec.cones[0].vertex, inside);
+    EXPECT_EQ(run->spec.cones[0].k, k);
+    EXPECT_EQ(run->spec.turning, std::vector<int>{k});  // 4 − (4 − k)
+  }
+}
+
+TEST(AlongFeatures, WhatDoesNotAddUpIsRefusedWithItsPlaces) {
+  const TriMesh mesh = test::jittered(test::grid(9, 6), 0.0).mesh();
+  const VertexId corner(0);
+  PreparedSurface surface(mesh);
+  for (const int k : {1, 20}) {  // one corner alone; and more than its triangles hold
+    const Result<Parametrization> run =
+        parametrizeAlongFeatures(surface, rimOf(mesh, {{corner, k}}), {});
+    ASSERT_FALSE(run) << k;
+    EXPECT_EQ(run.error().code, ErrorCode::kPrescription);
+    EXPECT_FALSE(run.error().where.empty());
+  }
+}
+
 TEST(AlongFeatures, RefusesWhatDoesNotGoTogether) {
   const TriMesh mesh = test::cube(3).mesh();
   const std::vector<EdgeId> features = test::creasesOf(mesh);
@@ -164,7 +224,7 @@ TriMesh steppedCylinder(int m, int n, double fall) {
 LengthFit lengthsOf(const TriMesh& mesh, const std::vector<EdgeId>& features) {
   PreparedSurface surface(mesh);
   std::vector<StageTime> times;
-  const Result<StraightSetup> setup = prepareStraight(surface, features, {}, times);
+  const Result<StraightSetup> setup = prepareStraight(surface, features, HolonomySpec{}, {}, times);
   EXPECT_TRUE(setup);
   const SeamlessSystem system = systemOf(mesh, setup->seamless);
   return fitLengths(straightSystemOf(*setup, system));

@@ -16,7 +16,7 @@ Json optionsJson(const SolveOptions& o, bool isAutomatic) {
     json["improve"] =
         Json{{"word", improveWord(o.improve->balance)}, {"balance", o.improve->balance}};
   json["method"] = methodName(o.method);
-  json["boundary"] = o.boundary == BoundaryKind::kConvex ? "convex" : "free";
+  json["boundary"] = boundaryName(o.boundary);
   json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
   json["frames"] = o.frames == FrameSource::kFile ? "file" : "auto";
   json["grid"] = Json{{"cells", o.grid.cells},

@@ -194,16 +194,28 @@ Status addFeatures(const Model& model, const prescription::Prescription& prescri
       const HalfedgeId h = mesh.halfedge(e);
       const Pair ends = sorted(component.vertex[mesh.tail(h)].i, component.vertex[mesh.head(h)].i);
       const bool isListed = listed.take(ends), isMarked = marks.take(ends);
-      if (isListed || isMarked || mesh.isBoundary(h)) features.push_back(e);
+      if (isListed || isMarked) features.push_back(e);
       hasFeature = hasFeature || isListed || isMarked ||
                    (prescription.features.hasRims && mesh.isBoundary(h));
     }
-    std::sort(features.begin(), features.end());
-    features.erase(std::unique(features.begin(), features.end()), features.end());
-    if (hasFeature) request.components[p].spec.features = std::move(features);
+    if (!hasFeature) continue;
+    request.components[p].spec.features = std::move(features);
+    addRims(mesh, request.components[p].spec);
   }
   if (isForAnotherFile(model, prescription)) addMovedNote(prescription.features, request.notes);
   return checkFound(listed, marks, request.notes);
+}
+
+void addRims(const TriMesh& mesh, HolonomySpec& spec) {
+  std::vector<EdgeId>& features = spec.features;
+  for (EdgeId e : mesh.edges())
+    if (mesh.isBoundary(mesh.halfedge(e))) features.push_back(e);
+  std::sort(features.begin(), features.end());
+  features.erase(std::unique(features.begin(), features.end()), features.end());
+  const auto isInside = [&](const ConePoint& c) { return !mesh.isBoundary(c.vertex); };
+  const auto corners = std::stable_partition(spec.cones.begin(), spec.cones.end(), isInside);
+  spec.corners.insert(spec.corners.end(), corners, spec.cones.end());
+  spec.cones.erase(corners, spec.cones.end());
 }
 
 bool isFeaturesOnly(const prescription::Prescription& prescription) {
@@ -214,7 +226,8 @@ bool isFeaturesOnly(const prescription::Prescription& prescription) {
 
 Status checkFeatures(const std::optional<prescription::Prescription>& prescription,
                      const SolveOptions& options) {
-  if (!prescription || prescription->features.isEmpty()) return Done{};
+  const bool isRectangle = options.boundary == BoundaryKind::kRectangle;
+  if (!isRectangle && (!prescription || prescription->features.isEmpty())) return Done{};
   const auto refuse = [](const char* text) {
     return Failure{ErrorCode::kUsage, "features", text, {}};
   };

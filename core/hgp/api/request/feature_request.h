@@ -10,6 +10,9 @@ namespace hgp::api {
 Status addFeatures(const Model& model, const prescription::Prescription& prescription,
                    Request& request);
 
+/// Makes all boundary edges features of the component, and its cones at boundary vertices corners.
+void addRims(const TriMesh& mesh, HolonomySpec& spec);
+
 /// Whether nothing but features is prescribed, so that cones are chosen automatically.
 bool isFeaturesOnly(const prescription::Prescription& prescription);
 

@@ -15,8 +15,11 @@ Failure refuse(ErrorCode code, std::string message, std::vector<Where> where = {
 
 Status checkPossible(const SolveOptions& options, const Request& request) {
   const auto clash = [](const char* text) { return refuse(ErrorCode::kUsage, text); };
-  if (options.boundary == BoundaryKind::kConvex)
-    return clash("a convex boundary is not symmetric; leave out either");
+  if (options.boundary != BoundaryKind::kFree)
+    return clash("a convex boundary or a rectangle is not made symmetric; leave out either");
+  for (const ComponentRequest& component : request.components)
+    if (!component.spec.corners.empty())
+      return clash("corners of the boundary do not go with a symmetric map; leave out either");
   if (options.refines) return clash("a refined mesh is not symmetric; leave out either");
   if (options.convexPolygons)
     return clash("convex polygons would move uv on one side only; leave out either");

@@ -48,11 +48,8 @@ class Carrier {
     out.spec.q = request.spec.q;
     if (!request.spec.features.empty() && !carryFeatures(request.spec, out.spec)) return tangled();
     if (out.isAutomatic) return out;
-    for (const ConePoint& cone : request.spec.cones) {
-      const auto v = vertexAt_.find(old_.vertex[cone.vertex].i);
-      if (v == vertexAt_.end()) return tangled();
-      out.spec.cones.push_back({v->second, cone.k});
-    }
+    if (!carryCones(request.spec.cones, out.spec.cones)) return tangled();
+    if (!carryCones(request.spec.corners, out.spec.corners)) return tangled();
     if (!carryTurning(request.spec, out.spec)) return tangled();
     out.spec.handles.resize(request.spec.handles.size());
     const auto& handles = request.spec.handles;
@@ -71,6 +68,15 @@ class Carrier {
   }
 
  private:
+  bool carryCones(const std::vector<ConePoint>& from, std::vector<ConePoint>& to) const {
+    for (const ConePoint& cone : from) {
+      const auto v = vertexAt_.find(old_.vertex[cone.vertex].i);
+      if (v == vertexAt_.end()) return false;
+      to.push_back({v->second, cone.k});
+    }
+    return true;
+  }
+
   bool carryTurning(const HolonomySpec& from, HolonomySpec& to) {
     to.turning.resize(new_.topology.loops.size());
     for (std::size_t j = 0; j < from.turning.size(); ++j) {

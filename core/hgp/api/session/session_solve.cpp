@@ -7,6 +7,7 @@
 #include "hgp/api/request/mirror_request.h"
 #include "hgp/api/request/other_cones.h"
 #include "hgp/api/request/possible_options.h"
+#include "hgp/api/request/rectangles.h"
 #include "hgp/api/session/map_notes.h"
 #include "hgp/api/session/session_state.h"
 #include "hgp/api/stored/convex_polygons.h"
@@ -261,6 +262,7 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
   const SolveOptions options = withCells(*request, asked);
   if (Status possible = checkOptions(options, request->q); !possible) return possible.error();
   if (Status possible = checkFeatures(prescription, options); !possible) return possible.error();
+  if (Status done = makeRectangles(*model, options, *request); !done) return done;
   if (Status mirrored = addMirror(*model, options, *request); !mirrored) return mirrored.error();
   if (options.frames == FrameSource::kAuto) {
     for (ComponentRequest& component : request->components) component.field.reset();
@@ -271,9 +273,9 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
       (!prescription || isFeaturesOnly(*prescription)) && options.boundary == BoundaryKind::kFree;
   run.notes = request->notes;
   if (options.frames == FrameSource::kFile) run.notes.push_back(Note("field-frames"));
-  const bool isPrescribed = prescription && !prescription->features.isEmpty();
   const bool hasFeatures =
-      (isPrescribed || request->plane) && options.boundary == BoundaryKind::kFree;
+      request->plane || std::any_of(request->components.begin(), request->components.end(),
+                                    [](const auto& c) { return !c.spec.features.empty(); });
   if (hasFeatures) {
     if (Status done = solveSplit(*request, options, run); !done) return done;
   } else {

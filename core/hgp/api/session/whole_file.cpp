@@ -34,7 +34,7 @@ SolveOptions withSharedCells(Session& session, SolveOptions options) {
 Status solveOne(Session& session, const WholeFileOptions& options, const SolveOptions& solve) {
   Result<std::optional<prescription::Prescription>> cones =
       std::optional<prescription::Prescription>();
-  if (solve.boundary == BoundaryKind::kFree)
+  if (solve.boundary != BoundaryKind::kConvex)
     cones = storedCones(session, options.q, options.ignoresEmbedded);
   if (cones && !options.features.isEmpty()) {
     if (!*cones) cones->emplace().q = options.solve.q;

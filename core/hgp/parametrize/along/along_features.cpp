@@ -35,16 +35,21 @@ bool isAnyOther(const std::vector<std::optional<int>>& asked, const std::vector<
   return false;
 }
 
-/// What is prescribed beside features must be what the aligned field has.
-Status checkCones(const HolonomySpec& asked, const CompleteSpec& found) {
+/// What is prescribed beside features must be what the aligned field has: cones off features and corners of the boundary
+/// were given to it, cones on features were not.
+Status checkCones(const TriMesh& mesh, const HolonomySpec& asked, const StraightSetup& setup) {
+  const CompleteSpec& found = setup.seamless.field.spec;
   if (isAnyOther(asked.turning, found.turning) || isAnyOther(asked.handles, found.handles))
     return Failure{ErrorCode::kPrescription,
                    "features",
                    "With features, turnings and rotations along handles are those of a field along "
                    "them, which are not the prescribed ones. Leave out these or the features.",
                    {}};
-  if (asked.cones.empty()) return Done{};
+  if (asked.cones.empty() && asked.corners.empty()) return Done{};
   std::vector<Where> where;
+  for (const ConePoint& corner : asked.corners)
+    if (indexAround(mesh, setup.aligned, corner.vertex) != corner.k)
+      where.push_back({Where::Kind::kVertex, corner.vertex.i});
   const auto isIn = [](const std::vector<ConePoint>& list, const ConePoint& cone) {
     return std::any_of(list.begin(), list.end(), [&](const ConePoint& other) {
       return other.vertex == cone.vertex && other.k == cone.k;
@@ -57,9 +62,10 @@ Status checkCones(const HolonomySpec& asked, const CompleteSpec& found) {
     if (!isIn(asked.cones, cone)) where.push_back({Where::Kind::kVertex, cone.vertex.i});
   if (where.empty()) return Done{};
   return Failure{ErrorCode::kPrescription, "features",
-                 "With features, cones are those of a field along them; " +
+                 "Cones on features are those of a field along them; " +
                      counted(where.size(), "cone differs", "cones differ") +
-                     " from the prescribed ones. Leave out the cones or the features.",
+                     " from the prescribed ones. Prescribe these, or leave out the cones or the "
+                     "features.",
                  std::move(where)};
 }
 
@@ -163,7 +169,8 @@ class StepSearch {
       const auto isTried = [&](const std::vector<HalfedgeId>& run) { return run == step.run; };
       if (std::any_of(tried_.begin(), tried_.end(), isTried)) continue;
       tried_.push_back(step.run);
-      return withoutStep(mesh, geometry, *before_, step);
+      AlignedField next = withoutStep(mesh, geometry, *before_, step);
+      if (hasGivenIndices(next)) return next;
     }
     return {};
   }
@@ -200,14 +207,14 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
   const TriMesh& mesh = surface.mesh();
   Parametrization result;
   Result<StraightSetup> setup =
-      prepareStraight(surface, withRims(mesh, spec.features), options, result.times);
+      prepareStraight(surface, withRims(mesh, spec.features), spec, options, result.times);
   if (!setup) return std::move(setup).error();
   StepSearch search(surface, options, result);
   Result<StraightOutcome> outcome = search.run(std::move(*setup));
   if (!outcome) return std::move(outcome).error();
   const SeamlessSetup& seamless = outcome->setup.seamless;
   result.spec = seamless.field.spec;
-  if (Status same = checkCones(spec, result.spec); !same) return std::move(same).error();
+  if (Status same = checkCones(mesh, spec, outcome->setup); !same) return std::move(same).error();
   result.notes = seamless.warnings;
   search.note();
   result.copyOf = seamless.cut.parent.raw();
@@ -225,7 +232,7 @@ Status checkAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec) {
   if (Status possible = checkOptions(spec, {}); !possible) return possible;
   const TriMesh& mesh = surface.mesh();
   Result<AlignedField> aligned =
-      alignedField(mesh, surface.context(), withRims(mesh, spec.features));
+      alignedField(mesh, surface.context(), withRims(mesh, spec.features), spec);
   if (!aligned) return std::move(aligned).error();
   return Done{};
 }

@@ -68,11 +68,11 @@ Status equate(const TriMesh& mesh, StraightSetup& setup) {
 }  // namespace
 
 Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vector<EdgeId>& features,
-                                      const ParametrizeOptions& options,
+                                      const HolonomySpec& asked, const ParametrizeOptions& options,
                                       std::vector<StageTime>& times) {
   StageClock clock(options.progress, times);
   if (!clock.begin(Stage::kField)) return clock.cancelled();
-  Result<AlignedField> aligned = alignedField(surface.mesh(), surface.context(), features);
+  Result<AlignedField> aligned = alignedField(surface.mesh(), surface.context(), features, asked);
   if (!aligned) return std::move(aligned).error();
   clock.end();
   return prepareStraight(surface, features, std::move(*aligned), options, times);

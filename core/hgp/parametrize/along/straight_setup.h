@@ -24,8 +24,9 @@ Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vecto
 
 /// Fails as alignedField() does, and with kUnsupported where the equations have no exact solution.
 /// @param features  contain all boundary edges; ascending
+/// @param asked     as for alignedField()
 Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vector<EdgeId>& features,
-                                      const ParametrizeOptions& options,
+                                      const HolonomySpec& asked, const ParametrizeOptions& options,
                                       std::vector<StageTime>& times);
 
 inline StraightSystem straightSystemOf(const StraightSetup& setup, const SeamlessSystem& system) {

@@ -1013,7 +1013,7 @@ export interface Report {
       balance: number;
     };
     method: 'auto' | 'harmonic' | 'soft' | 'printed' | 'all-frames';
-    boundary: 'free' | 'convex';
+    boundary: 'free' | 'convex' | 'rectangle';
     scale: 'solved' | 'unit' | 'fit';
     /**
      * the requested grid; both sizes 0: no grid

@@ -34,7 +34,7 @@ export const optionTable: Record<'load' | 'solve' | 'verify' | 'write', OptionRo
       words: ['balanced', 'few', 'fewer', 'more', 'low-distortion'],
     },
     { name: 'alignToCurvature', kind: 'flag' },
-    { name: 'boundary', kind: 'word', words: ['free', 'convex'] },
+    { name: 'boundary', kind: 'word', words: ['free', 'convex', 'rectangle'] },
     { name: 'maxRounds', kind: 'integer', low: 1, high: 1000 },
     { name: 'method', kind: 'word', words: ['auto', 'harmonic', 'soft', 'printed', 'all-frames'] },
     { name: 'frames', kind: 'word', words: ['auto', 'file'] },

@@ -144,8 +144,11 @@ export interface SolveOptions extends SuggestOptions {
    * or with `usage` if there is no field with directions.
    */
   frames?: 'auto' | 'file';
-  /** `convex`: maps a disk without cones onto a convex polygon. */
-  boundary?: 'free' | 'convex';
+  /**
+   * `convex`: maps a disk without cones onto a convex polygon. `rectangle`: onto a rectangle, whose corners are cones
+   * with k = 1 on the boundary, or chosen.
+   */
+  boundary?: 'free' | 'convex' | 'rectangle';
   /** Maximum number of programs per component; by default 24. */
   maxRounds?: number;
   /**

@@ -34,7 +34,7 @@ endfunction()
 
 # In WebAssembly, modules in which most of a run is spent are compiled for speed, all others for size. With -Os and
 # -Oz Emscripten adds -fno-inline-functions, after which not even an index into a vector is inlined (decision 060).
-set(HGP_HOT_MODULES "linalg|optimize|socp|verify")
+set(HGP_HOT_MODULES "linalg|socp")
 set(HGP_COLD_OPTIONS -Oz -finline-functions)
 
 # hgp_module(NAME field SOURCES a.cpp b.cpp LINKS base mesh [PRIVATE_LINKS eigen] [HEADER_ONLY])
@@ -60,6 +60,9 @@ function(hgp_module)
     add_library(${target} ${R_SOURCES})
     set(scope PUBLIC)
     hgp_compile_settings(${target})
+    if(EMSCRIPTEN)  # without the names of types, of which every function object has one (decision 060)
+      target_compile_options(${target} PRIVATE -fno-rtti)
+    endif()
     if(EMSCRIPTEN AND NOT R_NAME MATCHES "^(${HGP_HOT_MODULES})$")
       target_compile_options(${target} PRIVATE ${HGP_COLD_OPTIONS})
     endif()

@@ -21,6 +21,8 @@
 
 namespace hgp::io {
 
+class GltfDocument;
+
 /// Beyond these a reader fails with kLimit. They are checked before memory is allocated.
 struct Limits {
   std::uint64_t maxBytes = std::uint64_t{2} << 30;  ///< of all files together, and of decoded data
@@ -64,6 +66,7 @@ struct Remesh;     // remesh.h
 class Document {
  public:
   virtual ~Document() = default;
+  virtual const GltfDocument* asGltf() const { return nullptr; }
   virtual const char* format() const = 0;        ///< "obj" "off" "ply" "stl" "gltf" "glb"
   virtual const char* outputFormat() const = 0;  ///< written by default: "obj" "gltf" "glb"
   virtual bool canWriteAs(std::string_view format) const { return format == outputFormat(); }

@@ -121,7 +121,7 @@ Result<WrittenMaps> GltfDocument::writeAll(const std::vector<SurfaceUv>& maps,
                                            const WriteOptions& options) const {
   std::vector<GltfMap> list;
   for (const SurfaceUv& one : maps) {
-    const auto* of = dynamic_cast<const GltfDocument*>(one.document);
+    const auto* of = one.document->asGltf();
     if (of == nullptr || !isSameFile(*of->store_, *store_))
       return Failure{ErrorCode::kUsage, "write", "the maps are not all of one file", {}};
     list.push_back({&of->parts_[static_cast<std::size_t>(one.surface)], one.map, one.cones,

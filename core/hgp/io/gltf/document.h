@@ -17,6 +17,7 @@ class GltfDocument : public Document {
   GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts,
                std::shared_ptr<const GltfDecoders> decoders);
 
+  const GltfDocument* asGltf() const override { return this; }
   const char* format() const override { return store_->container.isBinary ? "glb" : "gltf"; }
   const char* outputFormat() const override { return format(); }
   /// Besides its own format: a GLB as a .gltf with a side file.

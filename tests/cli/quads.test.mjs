@@ -211,7 +211,7 @@ test('quads take the options of param, and a number of cells where none is given
 
 test('a name that quads are not written to is refused before anything is solved', () => {
   const file = put('small.obj', cubeMesh(4));
-  for (const name of ['quads.gltf', 'quads.ply', 'quads', 'quads.obj.txt']) {
+  for (const name of ['quads.gltf', 'quads', 'quads.stl', 'quads.obj.txt']) {
     const out = path.join(folder, name);
     const run = spawnSync(hgp, ['quads', file, '--cells', '60', '-o', out], { encoding: 'utf8' });
     assert.equal(run.status, 2, run.stderr);

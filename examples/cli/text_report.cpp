@@ -1,6 +1,7 @@
 #include "text_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "hgp/api/notes.h"
@@ -262,11 +263,14 @@ std::string inspectText(const std::string& source, const Style& style) {
     out += row("creases", counted(integer(features, "creaseEdges"), "edge") +
                               formatText(" above %g°, in ", number(features, "degrees")) +
                               counted(integer(features, "creaseChains"), "chain"));
-    for (const Json& m : json["mirrors"])
+    const double none = 1e-9 * number(json, "diagonal");  // of an offset: rounding errors
+    for (const Json& m : json["mirrors"]) {
+      const double offset = std::fabs(number(m, "offset")) < none ? 0.0 : number(m, "offset");
       out += row("mirror plane", (m["name"] == "" ? m["normal"].dump() : text(m["name"])) +
-                                     formatText(" = %.6g, ", number(m, "offset")) +
+                                     formatText(" = %.6g, ", offset) +
                                      counted(integer(m, "edgesIn"), "edge") +
                                      formatText(" in it, %lld across", integer(m, "edgesAcross")));
+    }
     for (const Json& component : json["components"]) {
       for (const Json& loop : component["boundaryLoops"]) {
         out += row(("loop " + loop["loop"].dump()).c_str(),

@@ -86,7 +86,7 @@ def test_the_words_of_the_annotations_are_those_of_the_table() -> None:
         if not words or keyword not in keywords(CALLS[call]):
             continue
         annotation = inspect.signature(CALLS[call], eval_str=True).parameters[keyword].annotation
-        quoted = set(re.findall(r"'([a-z-]+)'", str(annotation)))
+        quoted = set(re.findall(r"'([A-Za-z-]+)'", str(annotation)))
         assert quoted == set(words), name
 
 

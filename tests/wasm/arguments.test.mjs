@@ -50,7 +50,7 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
       [() => model.parametrize({ cones: [{ vertex: 1, k: 3 }] }), /cones is \{ q, cones/],
       [
         () => model.parametrize({ boundary: 'round' }),
-        /'free', 'convex' or 'rectangle', not 'round'/,
+        /'free' or 'convex' or 'rectangle', not 'round'/,
       ],
       [() => model.parametrize(4), /an object, not 4/],
       [() => model.parametrize({}, { sginal: undefined }), /no option 'sginal'/],

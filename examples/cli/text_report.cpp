@@ -263,14 +263,12 @@ std::string inspectText(const std::string& source, const Style& style) {
     out += row("creases", counted(integer(features, "creaseEdges"), "edge") +
                               formatText(" above %g°, in ", number(features, "degrees")) +
                               counted(integer(features, "creaseChains"), "chain"));
-    const double none = 1e-9 * number(json, "diagonal");  // of an offset: rounding errors
-    for (const Json& m : json["mirrors"]) {
-      const double offset = std::fabs(number(m, "offset")) < none ? 0.0 : number(m, "offset");
+    const double step = 1e-9 * number(json, "diagonal");  // and + 0.0, so that −0 is 0
+    for (const Json& m : json["mirrors"])
       out += row("mirror plane", (m["name"] == "" ? m["normal"].dump() : text(m["name"])) +
-                                     formatText(" = %.6g, ", offset) +
-                                     counted(integer(m, "edgesIn"), "edge") +
-                                     formatText(" in it, %lld across", integer(m, "edgesAcross")));
-    }
+                                     formatText(" = %.6g, %lld edges in it, %lld across",
+                                                step * std::round(number(m, "offset") / step) + 0.0,
+                                                integer(m, "edgesIn"), integer(m, "edgesAcross")));
     for (const Json& component : json["components"]) {
       for (const Json& loop : component["boundaryLoops"]) {
         out += row(("loop " + loop["loop"].dump()).c_str(),

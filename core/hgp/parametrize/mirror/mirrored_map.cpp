@@ -31,24 +31,22 @@ std::vector<PlaneEdge> planeEdges(const Mirror& mirror, const HalfSurface& half,
 
 /// Moves the longest line of the plane to u = 0.
 void moveToAxis(const std::vector<PlaneEdge>& edges, std::vector<Vec2>& uv) {
-  struct Piece {
+  struct Line {
     std::size_t axis;
     double place, length;
   };
-  std::vector<Piece> pieces;
-  for (const PlaneEdge& e : edges) {
-    const Vec2 &p = uv[at(e.a)], &q = uv[at(e.b)];
-    for (const std::size_t k : {0, 1})
-      if (p[k] == q[k]) pieces.push_back({k, p[k], e.length});
-  }
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-    return a.axis != b.axis ? a.axis < b.axis : a.place < b.place;
-  });
-  Piece longest{0, 0.0, 0.0}, line = longest;
-  for (const Piece& piece : pieces) {
-    const bool isSame = piece.axis == line.axis && piece.place == line.place;
-    line = {piece.axis, piece.place, piece.length + (isSame ? line.length : 0.0)};
-    if (line.length > longest.length) longest = line;
+  Line longest{0, 0.0, 0.0}, line = longest;
+  for (const std::size_t k : {0, 1}) {
+    std::vector<std::pair<double, double>>
+        pieces;  // place, length: sums in no order of the triangles
+    for (const PlaneEdge& e : edges)
+      if (uv[at(e.a)][k] == uv[at(e.b)][k]) pieces.emplace_back(uv[at(e.a)][k], e.length);
+    std::sort(pieces.begin(), pieces.end());
+    for (const auto& [place, length] : pieces) {
+      const bool isSame = k == line.axis && place == line.place;
+      line = {k, place, length + (isSame ? line.length : 0.0)};
+      if (line.length > longest.length) longest = line;
+    }
   }
   HGP_CHECK(longest.length > 0.0, "the plane has straight edges");
   const auto [k, place, length] = longest;

@@ -329,6 +329,13 @@ test('a disk becomes a rectangle, with corners that are chosen or given', () => 
   const cones = given.flatMap((v) => ['--cone', `${v}:1`]);
   good('param', 'sheet.obj', '--boundary', 'rectangle', cones, '-o', 'given.obj');
   expectRectangle('given.obj', { m, n }, given.sort((a, b) => a - b)); // prettier-ignore
+  good('param', 'sheet.obj', '--boundary', 'rectangle', cones, '--improve', 'isometric', '-o', 'better.obj'); // prettier-ignore
+  expectRectangle(
+    'better.obj',
+    { m, n },
+    given.sort((a, b) => a - b),
+  );
+  assert.ok(dirichletOf('better.obj') < dirichletOf('given.obj'));
   // The same with the rims as features, and with a cone inside, which leaves three corners.
   good('param', 'sheet.obj', '--rims', cones, '-o', 'rims.obj');
   assert.equal(read('rims.obj').replace(/^#.*/gm, ''), read('given.obj').replace(/^#.*/gm, ''));
@@ -359,7 +366,6 @@ test('what does not go together is refused', () => {
     assert.ok(!existsSync(at('no.obj')));
   };
   refused(2, /q = 4/, '--q', '6');
-  refused(2, /improvement does not go with features/, '--improve', 'isometric');
   refused(2, /not carried over to a refined/, '--refine');
   refused(2, /--boundary convex cannot be combined/, '--boundary', 'convex');
   refused(5, /cones? differs? from the prescribed/, '--cone', '0:2', '--cone', '1:2');
@@ -376,6 +382,101 @@ test('what does not go together is refused', () => {
   assert.equal(run('param', 'closed.obj', '--features', 'bad.txt', '-o', 'no.obj').code, 3);
 });
 
+/** The edges of a .sharp file, whose rows name a face and one of its sides. */
+function edgesOfList(sharp, faces) {
+  const rows = readFileSync(sharp, 'utf8').trim().split('\n').slice(1);
+  return new Set(rows.map((row) => {
+    const [, f, k] = row.split(',').map(Number);
+    return key(faces[f][k], faces[f][(k + 1) % 3]);
+  })); // prettier-ignore
+}
+
+/** Mean of σ₁² + σ₂² + σ₁⁻² + σ₂⁻² − 4 over the surface, at the best scale, from a file alone. */
+function dirichletOf(name) {
+  const vertices = read(name).split('\n').filter((line) => line.startsWith('v ')).map((line) => line.split(/\s+/).slice(1, 4).map(Number)); // prettier-ignore
+  const { corners, faces } = cornersOf(name);
+  let [grown, shrunk, surface] = [0, 0, 0];
+  faces.forEach((t, f) => {
+    const [[p, q, r], [a, b, c]] = [t.map((v) => vertices[v]), corners[f]];
+    const [e, g] = [q, r].map((x) => x.map((_, k) => x[k] - p[k]));
+    const dot = (x, y) => x.reduce((sum, _, k) => sum + x[k] * y[k], 0);
+    const double = Math.sqrt(dot(e, e) * dot(g, g) - dot(e, g) ** 2);
+    const [u, v] = [b, c].map((x) => [x[0] - a[0], x[1] - a[1]]);
+    const det = (u[0] * v[1] - u[1] * v[0]) / double;
+    // The squared norm of the derivative by the metric of the surface.
+    const norm2 = (dot(u, u) * dot(g, g) - 2 * dot(u, v) * dot(e, g) + dot(v, v) * dot(e, e)) / double ** 2; // prettier-ignore
+    grown += double * norm2;
+    shrunk += (double * norm2) / det ** 2;
+    surface += double;
+  });
+  return (2 * Math.sqrt(grown * shrunk)) / surface - 4;
+}
+
+/** Standard deviation over mean of the areas of the quads of a file, all of whose faces must be quads. */
+function unevennessOf(name) {
+  const [vertices, areas] = [[], []];
+  for (const line of read(name).split('\n')) {
+    const [word, ...rest] = line.trim().split(/\s+/);
+    if (word === 'v') vertices.push(rest.slice(0, 3).map(Number));
+    if (word !== 'f') continue;
+    assert.equal(rest.length, 4);
+    const [a, b, c, d] = rest.map((corner) => vertices[Number(corner.split('/')[0]) - 1]);
+    const [e, g] = [[0, 1, 2].map((k) => c[k] - a[k]), [0, 1, 2].map((k) => d[k] - b[k])];
+    areas.push(0.5 * Math.hypot(...[0, 1, 2].map((k) => e[(k + 1) % 3] * g[(k + 2) % 3] - e[(k + 2) % 3] * g[(k + 1) % 3]))); // prettier-ignore
+  }
+  const mean = areas.reduce((sum, x) => sum + x, 0) / areas.length;
+  return Math.sqrt(areas.reduce((sum, x) => sum + (x - mean) ** 2, 0) / areas.length) / mean;
+}
+
+/** Without and with --improve: as straight and certified, with less distortion and more even quads. */
+function expectImproved(mesh, words, asked, sizes = ['500', '3000']) {
+  good('param', mesh, words, '-o', 'before.obj', '--force');
+  good('param', mesh, words, '--improve', 'isometric', '-o', 'after.obj', '--force', '--json', 'after.json'); // prettier-ignore
+  const report = JSON.parse(read('after.json'));
+  assert.deepEqual(problems('hgp-report', report), []);
+  assert.ok(report.certified);
+  const { features } = report.certificate;
+  assert.equal(features.straightChains, features.chains);
+  assert.equal(features.straightEdges, features.edges);
+  const { improvement } = report.components[0];
+  assert.ok(improvement.kept);
+  const [before, after] = [dirichletOf('before.obj'), dirichletOf('after.obj')];
+  assert.ok(after < 0.9 * before, `${mesh}: ${before}, then ${after}`);
+  assert.ok(Math.abs(improvement.after.symmetricDirichlet - after) < 1e-3 * after);
+  const isAsked = asked(cornersOf('after.obj'));
+  assert.equal(crookedSides(cornersOf('after.obj'), isAsked), 0, mesh); // prettier-ignore
+  for (const cells of sizes) {
+    good('quads', mesh, words, '--cells', cells, '-o', 'before.quads.obj', '--force');
+    good('quads', mesh, words, '--cells', cells, '--improve', 'isometric', '-o', 'after.quads.obj', '--force', '--json', 'quads.json'); // prettier-ignore
+    const { grid, improvement: both } = JSON.parse(read('quads.json')).components[0];
+    assert.ok(grid.aligned && both.onGrid);
+    const [uneven, even] = [unevennessOf('before.quads.obj'), unevennessOf('after.quads.obj')];
+    assert.ok(even < 0.9 * uneven, `${mesh}, ${cells} cells: ${uneven}, then ${even}`);
+  }
+}
+
+test('an improvement leaves features straight, and makes quads more even', () => {
+  const bent = ([x, y, z]) => [x * (1 + 0.12 * y + 0.1 * z), y * (1 + 0.2 * z), z * (1 + 0.09 * x)];
+  put('bent.obj', toObj({ ...closed, vertices: closed.vertices.map(bent) }));
+  const creases = new Set(closed.creases.map(([a, b]) => key(a, b)));
+  expectImproved('bent.obj', ['--features', 'creases.txt'], () => (edge) => creases.has(edge));
+  put('bent-open.obj', toObj({ ...open, vertices: open.vertices.map(bent) }));
+  const rims = rimsOf(open);
+  expectImproved('bent-open.obj', ['--rims'], () => (edge) => rims.has(edge));
+});
+
+test('parts with lists of their sharp edges are improved', (t) => {
+  const folder = path.join(shared, '../cases/features');
+  if (!existsSync(folder)) return t.skip(`${folder} is absent`);
+  for (const name of ['wrench', 'joint']) {
+    const sharp = path.join(folder, `${name}_rem.sharp`);
+    expectImproved(path.join(folder, `${name}_rem.obj`), ['--features', sharp], ({ faces }) => {
+      const edges = edgesOfList(sharp, faces);
+      return (edge) => edges.has(edge);
+    }, ['3000']); // prettier-ignore
+  }
+});
+
 test('parts with lists of their sharp edges', (t) => {
   const folder = path.join(shared, '../cases/features');
   if (!existsSync(folder)) return t.skip(`${folder} is absent`);
@@ -383,11 +484,7 @@ test('parts with lists of their sharp edges', (t) => {
     const sharp = path.join(folder, `${name}_rem.sharp`);
     good('param', path.join(folder, `${name}_rem.obj`), '--features', sharp, '-o', 'part.obj');
     const map = cornersOf('part.obj');
-    const rows = readFileSync(sharp, 'utf8').trim().split('\n').slice(1);
-    const asked = new Set(rows.map((row) => {
-      const [, f, k] = row.split(',').map(Number);
-      return key(map.faces[f][k], map.faces[f][(k + 1) % 3]);
-    })); // prettier-ignore
+    const asked = edgesOfList(sharp, map.faces);
     assert.ok(asked.size > 300);
     assert.equal(
       crookedSides(map, (edge) => asked.has(edge)),

@@ -117,6 +117,21 @@ test('a map with a grid is mirrored as well, and its plane is on a line', () => 
   }
 });
 
+test('an improvement is mirrored as well, with a grid and without', () => {
+  for (const [name, mesh] of Object.entries(shapes)) {
+    put('in.obj', toObj(mesh));
+    for (const grid of [[], ['--cells', '600', '--grid-mode', 'quad']]) {
+      good('param', 'in.obj', '--symmetric', 'X', grid, '--improve', 'isometric', '-o', 'better.obj', '--force', '--json', 'r.json'); // prettier-ignore
+      checkMirrored(readers.obj(at('better.obj')));
+      const { certificate, components } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+      assert.ok(certificate.certified, name);
+      const { kept, before, after, onGrid } = components[0].improvement;
+      assert.ok(kept && after.symmetricDirichlet < before.symmetricDirichlet, name);
+      assert.equal(onGrid !== null, grid.length > 0);
+    }
+  }
+});
+
 test('edges across the plane are split, as is said', () => {
   const t = (1 + Math.sqrt(5)) / 2;
   const signs = [1, -1].flatMap((a) => [1, -1].map((b) => [a, b * t]));
@@ -172,7 +187,6 @@ test('what is not symmetric is refused, with the exit code of its reason', () =>
   const code = (...words) => run('param', 'in.obj', '-o', 'no.obj', ...words).code;
   const symmetric = ['--symmetric', 'X'];
   assert.equal(code(...symmetric, '--q', '6'), 2);
-  assert.equal(code(...symmetric, '--improve', 'isometric'), 2);
   assert.equal(code(...symmetric, '--boundary', 'convex'), 2);
   assert.equal(code(...symmetric, '--refine'), 2);
   assert.equal(code(...symmetric, '--convex-polygons'), 2);

@@ -154,6 +154,7 @@ const assembles = [
   'core/hgp/io/grid_material.cpp',
   'core/hgp/io/cone_files.h',
   'core/hgp/io/cone_files.cpp',
+  'core/hgp/parametrize/along/along_features.cpp',
   'core/hgp/parametrize/live_edit.cpp',
   'core/hgp/parametrize/parametrize.cpp',
   'core/hgp/parametrize/strategy/loop.cpp',

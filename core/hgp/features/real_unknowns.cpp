@@ -147,6 +147,13 @@ class Equator {
 
 }  // namespace
 
+std::vector<Complex> placesOf(const RealUnknowns& unknowns, const Eigen::VectorXd& x) {
+  const Eigen::VectorXd parts = unknowns.rows * x;
+  std::vector<Complex> z;
+  for (Eigen::Index n = 0; n < parts.size(); n += 2) z.emplace_back(parts[n], parts[n + 1]);
+  return z;
+}
+
 std::optional<RealUnknowns> equateCoordinates(const ComplexRows& copies,
                                               const std::vector<char>& isShared,
                                               const std::vector<EqualCoordinate>& equations) {

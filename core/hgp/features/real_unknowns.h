@@ -26,6 +26,9 @@ struct RealUnknowns {
       variable;  ///< per unknown: 2j or 2j + 1, the part of complex unknown j that it is; ascending
 };
 
+/// Copy by copy, from the values of the unknowns.
+std::vector<Complex> placesOf(const RealUnknowns& unknowns, const Eigen::VectorXd& x);
+
 /// Eliminates the equations from z = copies · x by union–find with signs and offsets over the parts of the vertices'
 /// unknowns; what closed loops require of translations is solved in solveSums.
 /// @param copies    |copies| × n, exact up to rounding errors

@@ -12,6 +12,8 @@
 namespace hgp {
 
 /// The data that give a vector x of reduced unknowns its meaning as a map; references must outlive their users.
+/// unknowns.copies has a column per unknown or, where copies do not depend on unknowns complex-linearly, as many again for
+/// their conjugates: z = copies · (x, x̄). There, vectors of unknowns have their conjugates after them, too.
 struct ReducedMap {
   const TriMesh& mesh;
   const Geometry& geometry;
@@ -25,12 +27,12 @@ class FaceTerms {
  public:
   using Term = FaceRows::Term;  ///< its unknown: the number among the free ones
 
-  /// @param isHeld  by unknown of ReducedUnknowns; held ones stay as in x
+  /// @param isHeld  by column of ReducedUnknowns::copies, as x; held ones stay as in x
   FaceTerms(const ReducedMap& map, const std::vector<char>& isHeld, const Eigen::VectorXcd& x);
 
   int faceCount() const { return static_cast<int>(weight_.size()); }
   int freeCount() const { return free_.count(); }
-  /// Which unknowns of ReducedUnknowns are free.
+  /// Which columns of ReducedUnknowns::copies are free; unknowns come first, their conjugates in the same order after them.
   const FreeUnknowns& free() const { return free_; }
 
   std::span<const Term> terms(int face) const {

@@ -159,8 +159,8 @@ const char* outcomeName(DescentOutcome outcome) {
 Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
                     const Eigen::VectorXcd& x, const ImproveOptions& options,
                     const std::vector<char>& isHeld, const Progress& progress) {
-  HGP_CHECK(x.size() == map.unknowns.count, "%d values for %d unknowns", static_cast<int>(x.size()),
-            map.unknowns.count);
+  HGP_CHECK(x.size() == map.unknowns.copies.cols(), "%d values for %d unknowns",
+            static_cast<int>(x.size()), static_cast<int>(map.unknowns.copies.cols()));
   Improvement result;
   result.x = x;
   if (!isInjective(map, x)) {
@@ -168,7 +168,7 @@ Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
     return result;
   }
   std::vector<char> held = isHeld;
-  held.resize(static_cast<std::size_t>(map.unknowns.count), 0);
+  held.resize(at(x.size()), 0);
   Descent descent(map, tree, x, options.balance, held);
   result.excessBefore = descent.excess();
   result.outcome = run(descent, options, progress, result.steps, result.multiplyAdds);

@@ -24,8 +24,9 @@ struct Improvement {
 /// the given map and the returned one, so that angle sums and turning numbers, which are integers in these units,
 /// do not change; orientation is checked exactly after every step. The energy never increases.
 /// @param tree  dissection of the mesh's vertices along its edges (vertexTree)
-/// @param isHeld  by unknown of ReducedUnknowns: 1 where x must not change (the integers of a grid, or everything
-///                outside a patch); empty: none
+/// @param x       by column of map.unknowns.copies
+/// @param isHeld  the same: 1 where x must not change (the integers of a grid, or everything outside a patch);
+///                empty: none
 /// @param progress  stage "improve", the excess as `residual`; return false to cancel
 Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
                     const Eigen::VectorXcd& x, const ImproveOptions& options,

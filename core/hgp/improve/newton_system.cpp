@@ -16,13 +16,21 @@ constexpr int kInPlace = 1 << 20;
 /// Multiply-adds per triangle of a step without its factorization (measured).
 constexpr double kAddsPerFace = 2e3;
 
+/// The place of a value in a short list, to which it is added where it is missing.
+int indexIn(std::vector<int>& list, int value) {
+  std::size_t i = 0;
+  while (i < list.size() && list[i] != value) ++i;
+  if (i == list.size()) list.push_back(value);
+  return static_cast<int>(i);
+}
+
 /// The dissection of the vertices as one of the free unknowns; translations, which couple to whole seams, are inserted
 /// where their neighbours allow.
-linalg::SeparatorTree treeOf(const ReducedMap& map, const FaceTerms& terms,
+linalg::SeparatorTree treeOf(const ReducedMap& map, const FaceTerms& terms, int count,
                              const linalg::SeparatorTree& vertices,
                              const linalg::Cliques& cliques) {
   // In the tree, vertices' unknowns come first and the others are appended.
-  std::vector<int> rank(static_cast<std::size_t>(terms.freeCount()), -1), keep, unknownAt;
+  std::vector<int> rank(static_cast<std::size_t>(count), -1), keep, unknownAt;
   for (VertexId v : map.mesh.vertices()) {
     const int unknown = map.unknowns.vertexUnknown[v];
     const int free = unknown < 0 ? -1 : terms.free().number(unknown);
@@ -32,7 +40,7 @@ linalg::SeparatorTree treeOf(const ReducedMap& map, const FaceTerms& terms,
     unknownAt.push_back(free);
   }
   const auto ordered = unknownAt.size();
-  for (int i = 0; i < terms.freeCount(); ++i)
+  for (int i = 0; i < count; ++i)
     if (rank[at(i)] < 0) {
       rank[at(i)] = static_cast<int>(unknownAt.size());
       unknownAt.push_back(i);
@@ -60,19 +68,22 @@ linalg::SeparatorTree treeOf(const ReducedMap& map, const FaceTerms& terms,
 
 NewtonSystem::NewtonSystem(const ReducedMap& map, const FaceTerms& terms,
                            const linalg::SeparatorTree& tree)
-    : terms_(terms) {
+    : terms_(terms),
+      count_(map.unknowns.copies.cols() > map.unknowns.count ? terms.freeCount() / 2
+                                                             : terms.freeCount()) {
   linalg::Cliques cliques;
   blockOf_.assign(at(terms.faceCount()), -1);
   for (int f = 0; f < terms.faceCount(); ++f) {
     if (terms.terms(f).empty()) continue;
     blockOf_[at(f)] = static_cast<int>(cliques.size());
     cliques.emplace_back();
-    for (const FaceTerms::Term& term : terms.terms(f)) cliques.back().push_back(term.unknown);
+    for (const FaceTerms::Term& term : terms.terms(f))
+      indexIn(cliques.back(), unknownOf(term.unknown));
   }
-  SparseC diagonal(terms.freeCount(), terms.freeCount());
+  SparseC diagonal(count_, count_);
   diagonal.setIdentity();
   diagonal *= kProximal / std::max(1, terms.faceCount());
-  const linalg::SeparatorTree own = treeOf(map, terms, tree, cliques);
+  const linalg::SeparatorTree own = treeOf(map, terms, count_, tree, cliques);
   linalg::PartialCholeskyOptions options;
   options.tree = &own;
   options.delayDepth = kInPlace;
@@ -84,28 +95,34 @@ NewtonSystem::NewtonSystem(const ReducedMap& map, const FaceTerms& terms,
 bool NewtonSystem::assemble(const EnergyExponents& exponents, const FaceParts& parts,
                             double scale) {
   scale_ = scale;
-  gradient_ = Eigen::VectorXcd::Zero(terms_.freeCount());
+  gradient_ = Eigen::VectorXcd::Zero(count_);
   std::fill(values_.begin(), values_.end(), 0.0);
   std::vector<double> row;
+  std::vector<int> clique, column;
   for (int f = 0; f < terms_.faceCount(); ++f) {
     const auto terms = terms_.terms(f);
     if (terms.empty()) continue;
     const EnergyJet jet =
         energyJet(exponents, parts.similar[at(f)] / scale, parts.anti[at(f)] / scale);
     const double weight = terms_.weight(f);
-    for (const FaceTerms::Term& term : terms)
-      gradient_[term.unknown] +=
+    clique.clear();
+    column.clear();
+    for (const FaceTerms::Term& term : terms) {
+      const Complex slope =
           weight * (std::conj(term.similar) * jet.gradientP + std::conj(term.anti) * jet.gradientM);
-    const std::size_t size = 2 * terms.size();
-    row.resize(size);
+      gradient_[unknownOf(term.unknown)] += isConjugate(term.unknown) ? std::conj(slope) : slope;
+      column.push_back(2 * indexIn(clique, unknownOf(term.unknown)));
+    }
+    const std::size_t size = 2 * clique.size();
     double* block = values_.data() + cholesky_.blockOffset(blockOf_[at(f)]);
     for (std::size_t k = 0; k < 4; ++k) {
       // Re(conj(alongP) similar dx + conj(alongM) anti dx) as a row over (Re dx, Im dx).
+      row.assign(size, 0.0);
       for (std::size_t i = 0; i < terms.size(); ++i) {
         const Complex c =
             std::conj(jet.alongP[k]) * terms[i].similar + std::conj(jet.alongM[k]) * terms[i].anti;
-        row[2 * i] = c.real();
-        row[2 * i + 1] = -c.imag();
+        row[at(column[i])] += c.real();
+        row[at(column[i] + 1)] += isConjugate(terms[i].unknown) ? c.imag() : -c.imag();
       }
       const double curvature = weight * jet.curvature[k];
       for (std::size_t j = 0; j < size; ++j)
@@ -120,7 +137,7 @@ double NewtonSystem::multiplyAdds() const {
 }
 
 NewtonSystem::Direction NewtonSystem::direction() const {
-  const int n = terms_.freeCount();
+  const int n = count_;
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(2 * cholesky_.dynamicSize());
   for (int i = 0; i < n; ++i) {
     const int d = cholesky_.dynamicIndex(i);
@@ -129,10 +146,12 @@ NewtonSystem::Direction NewtonSystem::direction() const {
     rhs[2 * d + 1] = -gradient_[i].imag();
   }
   const Eigen::VectorXd solved = cholesky_.solve(rhs);
-  Direction direction{Eigen::VectorXcd::Zero(n), -solved.dot(rhs)};
+  Direction direction{Eigen::VectorXcd::Zero(terms_.freeCount()), -solved.dot(rhs)};
   for (int i = 0; i < n; ++i) {
     const int d = cholesky_.dynamicIndex(i);
-    if (d >= 0) direction.change[i] = scale_ * Complex(solved[2 * d], solved[2 * d + 1]);
+    if (d < 0) continue;
+    direction.change[i] = scale_ * Complex(solved[2 * d], solved[2 * d + 1]);
+    if (n < terms_.freeCount()) direction.change[n + i] = std::conj(direction.change[i]);
   }
   return direction;
 }

@@ -9,7 +9,8 @@
 namespace hgp {
 
 /// H d = −g for H = Σ A_f Hessian(ψ_f), positive semidefinite per triangle, over the free unknowns as
-/// real pairs. A general real form of complex unknowns: it is not complex Hermitian.
+/// real pairs. A general real form of complex unknowns: it is not complex Hermitian. Terms of conjugates are terms of
+/// their unknowns, with the sign of the imaginary part changed.
 class NewtonSystem {
  public:
   /// @param tree  of the mesh's vertices; free unknowns are ordered by it, translations appended
@@ -21,7 +22,7 @@ class NewtonSystem {
 
   /// The minimum of the quadratic model of the last assembly.
   struct Direction {
-    Eigen::VectorXcd change;  ///< −H⁻¹ g, by free unknown
+    Eigen::VectorXcd change;  ///< −H⁻¹ g, by free unknown; conjugates after them
     double slope;             ///< −gᵀ H⁻¹ g < 0: derivative of the mean energy along it
   };
   Direction direction() const;
@@ -30,7 +31,11 @@ class NewtonSystem {
   double multiplyAdds() const;
 
  private:
+  bool isConjugate(int term) const { return term >= count_; }
+  int unknownOf(int term) const { return isConjugate(term) ? term - count_ : term; }
+
   const FaceTerms& terms_;
+  const int count_;           ///< free unknowns, without conjugates
   std::vector<int> blockOf_;  ///< clique of a face, −1 if it has no free unknown
   linalg::PartialCholesky cholesky_;
   std::vector<double> values_;

@@ -64,9 +64,7 @@ class StraightProgram {
     result.x = Eigen::VectorXd::Zero(in_.unknowns.count);
     for (int i = 0; i < in_.unknowns.count; ++i)
       result.x[i] = index_[at(i)] >= 0 ? solution.x[index_[at(i)]] : given_[at(i)];
-    const Eigen::VectorXd parts = in_.unknowns.rows * result.x;
-    for (Eigen::Index n = 0; n < parts.size(); n += 2)
-      result.z.emplace_back(parts[n], parts[n + 1]);
+    result.z = placesOf(in_.unknowns, result.x);
     if (socp::isWithoutPoint(solution.status)) findConflict(solution, result);
     return result;
   }

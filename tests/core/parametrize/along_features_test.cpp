@@ -196,9 +196,9 @@ TEST(AlongFeatures, WhatDoesNotAddUpIsRefusedWithItsPlaces) {
 TEST(AlongFeatures, RefusesWhatDoesNotGoTogether) {
   const TriMesh mesh = test::cube(3).mesh();
   const std::vector<EdgeId> features = test::creasesOf(mesh);
-  ParametrizeOptions improve;
-  improve.improve.emplace();
-  const Result<Parametrization> run = along(mesh, features, improve);
+  ParametrizeOptions frames;
+  frames.frames.emplace();
+  const Result<Parametrization> run = along(mesh, features, frames);
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, ErrorCode::kUsage);
   PreparedSurface surface(mesh);

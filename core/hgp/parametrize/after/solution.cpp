@@ -8,6 +8,7 @@
 #include "hgp/grid/snap.h"
 #include "hgp/improve/improve.h"
 #include "hgp/mesh/map_area.h"
+#include "hgp/parametrize/after/real_pairs.h"
 #include "hgp/parametrize/stage_clock.h"
 #include "hgp/quads/cut_strips.h"
 #include "hgp/quads/near_seams.h"
@@ -24,8 +25,24 @@ constexpr double kHeldDecrease = 3.0;
 /// Fraction of the stage "align" that is done when that descent starts.
 constexpr double kAlignedFraction = 0.9;
 
-ReducedMap reducedMap(const TriMesh& mesh, const SeamlessSetup& setup) {
-  return {mesh, setup.context->ownGeometry(), setup.cut, setup.unknowns};
+/// @param isHeld  by unknown or, along features, by real unknown; empty: none
+Improvement descend(const TriMesh& mesh, const Solution& solution, const ImproveOptions& options,
+                    const std::vector<char>& isHeld, const Progress& progress) {
+  const SeamlessSetup& setup = *solution.setup;
+  const auto over = [&](const ReducedUnknowns& unknowns, const Eigen::VectorXcd& x,
+                        const std::vector<char>& held) {
+    return improve({mesh, setup.context->ownGeometry(), setup.cut, unknowns}, setup.context->tree,
+                   x, options, held, progress);
+  };
+  if (!solution.real) return over(setup.unknowns, solution.x, isHeld);
+  const RealPairs pairs(mesh, setup.cut, setup.unknowns, *solution.real, isHeld);
+  const std::vector<int>& variable = solution.real->variable;
+  Improvement run =
+      over(pairs.unknowns(), pairs.pairsOf(partsOf(solution.x, variable)), pairs.isHeld());
+  const Eigen::VectorXd values = partsOf(run.x, pairs.parts());
+  run.x = solution.x;
+  setParts(values, variable, run.x);
+  return run;
 }
 
 /// The requested distortion as the verifier measures it: on the surface itself, while the descent works with thickened
@@ -98,6 +115,19 @@ Eigen::VectorXcd unknownsOf(const TriMesh& mesh, const SeamlessSetup& setup, con
   return readUnknowns(mesh, setup.cut, setup.seams, setup.unknowns, z);
 }
 
+/// Whether what is held has the same bits in both.
+bool isSameWhereHeld(const std::vector<char>& isHeld, const Solution& a, const Solution& b) {
+  const RealUnknowns* real = a.real;
+  const auto *p = reinterpret_cast<const double*>(a.x.data()),
+             *q = reinterpret_cast<const double*>(b.x.data());
+  for (std::size_t i = 0; i < isHeld.size(); ++i) {
+    if (!isHeld[i]) continue;
+    const std::size_t part = real ? at(real->variable[i]) : 2 * i;
+    if (p[part] != q[part] || (!real && p[part + 1] != q[part + 1])) return false;
+  }
+  return true;
+}
+
 /// The improved unknowns in cells, snapped and verified; nothing unless the map is better and still aligned, and the
 /// held values are the same bits.
 std::optional<MappedSolution> acceptedOnGrid(const TriMesh& mesh, const Improvement& run,
@@ -107,31 +137,48 @@ std::optional<MappedSolution> acceptedOnGrid(const TriMesh& mesh, const Improvem
                                              const CompleteSpec& spec) {
   if (run.steps.empty()) return {};
   const SeamlessSetup& setup = *mapped.solution.setup;
+  MappedSolution improved{mapped.solution, {}, {}};
+  improved.solution.x = run.x;
   UvMap moved = mapped.map;
-  const Eigen::VectorXcd z = setup.unknowns.copies * run.x;
-  for (std::size_t c = 0; c < moved.uv.size(); ++c) {
-    const Complex p = z[static_cast<Eigen::Index>(c)];
-    moved.uv[c] = {p.real(), p.imag()};
-  }
-  std::optional<UvMap> snapped = snapAligned(mesh, std::move(moved), setup.seams.q, setup.cones);
+  moved.uv.clear();
+  for (const Complex& p : placesOf(improved.solution)) moved.uv.push_back({p.real(), p.imag()});
+  std::optional<UvMap> snapped =
+      snapAligned(mesh, std::move(moved), setup.seams.q, setup.cones, spec.features);
   if (!snapped) return {};
-  MappedSolution improved{mapped.solution, std::move(*snapped), {}};
+  improved.map = std::move(*snapped);
   improved.solution.x = unknownsOf(mesh, setup, improved.map);
-  for (std::size_t i = 0; i < isHeld.size(); ++i) {
-    const auto unknown = static_cast<Eigen::Index>(i);
-    if (isHeld[i] && improved.solution.x[unknown] != mapped.solution.x[unknown]) return {};
-  }
+  if (!isSameWhereHeld(isHeld, improved.solution, mapped.solution)) return {};
   improved.certificate = certify(mesh, spec, improved.map);
   if (improved.certificate.exactSeams.integer != mapped.certificate.exactSeams.integer) return {};
   if (!isBetter(run, asked, mapped.certificate, improved.certificate)) return {};
   return improved;
 }
 
-/// @param multiplyAdds  that may be spent
-Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, double multiplyAdds,
-                     MappedSolution& mapped, Parametrization& result) {
-  const SeamlessSetup& setup = *mapped.solution.setup;
-  const std::vector<char> isHeld = heldByGrid(setup, options.grid.mode);
+/// Maps whose quads have edges that files cannot tell apart are second choices, with what separating these edges adds.
+Verdict verdictOnQuads(const TriMesh& mesh, const UvMap& map, const SeamlessSetup& setup) {
+  const std::optional<UvMap> snapped = snapAligned(mesh, map, setup.seams.q, setup.cones);
+  if (!snapped || !hasMultipleEdges(mesh, *snapped, setup.cut.isSeam)) return Acceptance::kAccepted;
+  const Result<CutQuads> cut = cutStrips(mesh, *snapped, setup.seams.q);
+  // Otherwise all cells are cut into four, at least.
+  return {Acceptance::kSecondChoice, cut ? cut->added : 3.0 * mapArea(*snapped)};
+}
+
+}  // namespace
+
+Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
+                       MappedSolution& mapped, Parametrization& result) {
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin(Stage::kImprove)) return clock.cancelled();
+  const Improvement run = descend(mesh, mapped.solution, *options.improve, {}, options.progress);
+  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
+  std::optional<MappedSolution> improved = accepted(mesh, run, *options.improve, mapped, result);
+  result.improvement = {takeOver(run, std::move(improved), mapped), *options.improve, {}};
+  return Done{};
+}
+
+Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options,
+                     const std::vector<char>& isHeld, double multiplyAdds, MappedSolution& mapped,
+                     Parametrization& result) {
   if (std::find(isHeld.begin(), isHeld.end(), 1) == isHeld.end()) return Done{};
   const Progress silent;
   StageClock clock(silent,
@@ -154,37 +201,12 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
     const double fraction = kAlignedFraction + (1.0 - kAlignedFraction) * r.fraction;
     return report(options.progress, {Stage::kAlign, fraction, r.iteration, r.residual});
   };
-  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
-                                  asked, isHeld, progress);
+  const Improvement run = descend(mesh, mapped.solution, asked, isHeld, progress);
   if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kAlign);
   std::optional<MappedSolution> improved =
       acceptedOnGrid(mesh, run, asked, isHeld, mapped, result.spec);
   result.improvement->onGrid = takeOver(run, std::move(improved), mapped);
-  describeGrid(mesh, mapped.map, setup.cones.size(), *result.grid);
-  return Done{};
-}
-
-/// Maps whose quads have edges that files cannot tell apart are second choices, with what separating these edges adds.
-Verdict verdictOnQuads(const TriMesh& mesh, const UvMap& map, const SeamlessSetup& setup) {
-  const std::optional<UvMap> snapped = snapAligned(mesh, map, setup.seams.q, setup.cones);
-  if (!snapped || !hasMultipleEdges(mesh, *snapped, setup.cut.isSeam)) return Acceptance::kAccepted;
-  const Result<CutQuads> cut = cutStrips(mesh, *snapped, setup.seams.q);
-  // Otherwise all cells are cut into four, at least.
-  return {Acceptance::kSecondChoice, cut ? cut->added : 3.0 * mapArea(*snapped)};
-}
-
-}  // namespace
-
-Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
-                       MappedSolution& mapped, Parametrization& result) {
-  StageClock clock(options.progress, result.times);
-  if (!clock.begin(Stage::kImprove)) return clock.cancelled();
-  const SeamlessSetup& setup = *mapped.solution.setup;
-  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
-                                  *options.improve, {}, options.progress);
-  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
-  std::optional<MappedSolution> improved = accepted(mesh, run, *options.improve, mapped, result);
-  result.improvement = {takeOver(run, std::move(improved), mapped), *options.improve, {}};
+  describeGrid(mesh, mapped.map, mapped.solution.setup->cones.size(), *result.grid);
   return Done{};
 }
 
@@ -193,9 +215,7 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSol
   if (!mapped.certificate.isMeasured) return Done{};
   StageClock clock(options.progress, result.times);
   if (!clock.begin(Stage::kImprove)) return clock.cancelled();
-  const SeamlessSetup& setup = *mapped.solution.setup;
-  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
-                                  {}, {}, options.progress);
+  const Improvement run = descend(mesh, mapped.solution, {}, {}, options.progress);
   if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
   MappedSolution even{mapped.solution, {}, {}};
   even.solution.x = run.x;
@@ -238,14 +258,19 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
       aligned.isSecondChoice ? certify(mesh, result.spec, mapped.map) : std::move(certificate);
   if (!options.improve) return Done{};
   clock.end();
-  return improveOnGrid(mesh, options, aligned.multiplyAddsLeft, mapped, result);
+  return improveOnGrid(mesh, options, heldByGrid(setup, options.grid.mode),
+                       aligned.multiplyAddsLeft, mapped, result);
 }
 
 UvMap layOut(const TriMesh& mesh, const Solution& solution) {
   const SeamlessSetup& setup = *solution.setup;
-  if (solution.x.size() == 0) return layOut(mesh, setup, {});
-  const Eigen::VectorXcd z = setup.unknowns.copies * solution.x;
-  return layOut(mesh, setup, std::vector<Complex>(z.data(), z.data() + z.size()));
+  return layOut(mesh, setup, solution.x.size() == 0 ? std::vector<Complex>() : placesOf(solution));
+}
+
+std::vector<Complex> placesOf(const Solution& solution) {
+  if (solution.real) return placesOf(*solution.real, partsOf(solution.x, solution.real->variable));
+  const Eigen::VectorXcd z = solution.setup->unknowns.copies * solution.x;
+  return {z.data(), z.data() + z.size()};
 }
 
 }  // namespace hgp

@@ -2,6 +2,7 @@
 // Role: all these steps take and return the same type.
 #pragma once
 
+#include "hgp/features/real_unknowns.h"
 #include "hgp/optimize/frames.h"
 #include "hgp/parametrize/seamless_setup.h"
 
@@ -14,7 +15,12 @@ struct Solution {
   Eigen::VectorXcd x;   ///< setup->unknowns.count
   PerVertex<double> u;  ///< log scale that the last program was weighted with
   Frames frames;        ///< its hard constraints
+  /// Along features: the parts of x that are unknowns of their own. The others follow from them, and x need not have them.
+  const RealUnknowns* real = nullptr;
 };
+
+/// z of every copy. Along features, the bits of their common coordinates are equal.
+std::vector<Complex> placesOf(const Solution& solution);
 
 /// A solution with its map and certificate.
 struct MappedSolution {
@@ -44,6 +50,15 @@ double alignmentMultiplyAdds(const TriMesh& mesh, const Parametrization& result)
 /// exactly where they are. Fails with kCancelled only.
 /// @pre mapped.certificate.isCertified, options.grid.isAsked()
 Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
+                     Parametrization& result);
+
+/// Lowers the distortion of an aligned map, with what is held staying exactly where it is. Fills result.improvement->onGrid.
+/// Fails with kCancelled only.
+/// @param isHeld        by unknown of the setup or, along features, by real unknown
+/// @param multiplyAdds  that may be spent
+/// @pre result.improvement, result.grid
+Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options,
+                     const std::vector<char>& isHeld, double multiplyAdds, MappedSolution& mapped,
                      Parametrization& result);
 
 /// Its positions, scaled to the surface's area and centred at the origin.

@@ -6,6 +6,8 @@
 #include "hgp/base/counted.h"
 #include "hgp/features/field_along.h"
 #include "hgp/features/step_repair.h"
+#include "hgp/parametrize/after/real_pairs.h"
+#include "hgp/parametrize/after/solution.h"
 #include "hgp/parametrize/along/along_grid.h"
 #include "hgp/parametrize/along/index_search.h"
 #include "hgp/parametrize/stage_clock.h"
@@ -24,8 +26,6 @@ Status checkOptions(const HolonomySpec& spec, const ParametrizeOptions& options)
   if (spec.q != 4)
     return refusal("features need q = 4; these cones have q = " + std::to_string(spec.q) + ".");
   if (options.frames) return refusal("Frames of a file do not go with features; leave out either.");
-  if (options.improve)
-    return refusal("An improvement does not go with features yet; leave out either.");
   return Done{};
 }
 
@@ -185,18 +185,44 @@ class StepSearch {
   int contradicting_ = 0, straightened_ = 0, moved_ = 0;
 };
 
-/// A certified map is put on the grid that is asked for.
+/// A certified map is put on the grid that is asked for, and there improved again.
 Status alignToLines(const TriMesh& mesh, const ParametrizeOptions& options,
-                    StraightOutcome& outcome, Parametrization& result) {
-  if (!options.grid.isAsked() || !outcome.attempt.certificate.isCertified) return Done{};
+                    const StraightSetup& setup, MappedSolution& mapped, Parametrization& result) {
   StageClock clock(options.progress, result.times);
   if (!clock.begin(Stage::kAlign)) return clock.cancelled();
-  const StraightResult& program = outcome.attempt.program;
-  StraightGrid grid = alignAlong(mesh, outcome.setup, program.z, program.x, options);
+  StraightGrid grid = alignAlong(mesh, setup, placesOf(mapped.solution),
+                                 partsOf(mapped.solution.x, setup.unknowns.variable), options);
   if (grid.isCancelled) return clock.cancelled();
   result.grid = std::move(grid.report);
-  if (grid.attempt) outcome.attempt = std::move(*grid.attempt);
-  return Done{};
+  if (!grid.attempt) return Done{};
+  setParts(grid.attempt->program.x, setup.unknowns.variable, mapped.solution.x);
+  mapped.map = std::move(grid.attempt->map);
+  mapped.certificate = std::move(grid.attempt->certificate);
+  if (!options.improve) return Done{};
+  clock.end();
+  return improveOnGrid(mesh, options, grid.isHeld, alignmentMultiplyAdds(mesh, result), mapped,
+                       result);
+}
+
+/// What is asked for after the map: less distortion, a grid.
+Status finish(const TriMesh& mesh, const ParametrizeOptions& options, StraightOutcome& outcome,
+              Parametrization& result) {
+  StraightAttempt& attempt = outcome.attempt;
+  if (!attempt.certificate.isCertified) return Done{};
+  const StraightSetup& setup = outcome.setup;
+  MappedSolution mapped;
+  mapped.solution.setup = {std::shared_ptr<const void>(), &setup.seamless};
+  mapped.solution.real = &setup.unknowns;
+  mapped.solution.x = Eigen::VectorXcd::Zero(setup.seamless.unknowns.count);
+  setParts(attempt.program.x, setup.unknowns.variable, mapped.solution.x);
+  mapped.map = std::move(attempt.map);
+  mapped.certificate = std::move(attempt.certificate);
+  Status done = Done{};
+  if (options.improve) done = improveSolution(mesh, options, mapped, result);
+  if (done && options.grid.isAsked()) done = alignToLines(mesh, options, setup, mapped, result);
+  attempt.map = std::move(mapped.map);
+  attempt.certificate = std::move(mapped.certificate);
+  return done;
 }
 
 }  // namespace
@@ -218,8 +244,7 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
   result.notes = seamless.warnings;
   search.note();
   result.copyOf = seamless.cut.parent.raw();
-  if (Status done = alignToLines(mesh, options, *outcome, result); !done)
-    return std::move(done).error();
+  if (Status done = finish(mesh, options, *outcome, result); !done) return std::move(done).error();
   result.map = std::move(outcome->attempt.map);
   result.certificate = std::move(outcome->attempt.certificate);
   result.isCertified = result.certificate.isCertified;

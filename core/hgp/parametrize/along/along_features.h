@@ -8,7 +8,8 @@ namespace hgp {
 
 /// A map that sends every edge of spec.features, and every boundary edge, to a line u = const or v = const, exactly: both
 /// ends have the same bits there. Cones and corners come from the aligned field; cones that `spec` has must be the same.
-/// Fails with kUsage for options that do not go with features (frames of a file, grids, improvement, q ≠ 4), with
+/// Improvements and grids that are asked for keep the bits of straight features equal.
+/// Fails with kUsage for options that do not go with features (frames of a file, q ≠ 4), with
 /// kPrescription where the features contradict each other or the cones of `spec`, and as parametrize().
 /// A map that is not certified is a successful return.
 /// @pre one component; spec.features is not empty

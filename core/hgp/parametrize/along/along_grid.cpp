@@ -243,7 +243,7 @@ class GridAligner {
       return true;
     }
     record.turned = static_cast<int>(solved->certificate.orientation.notPositive.size());
-    const bool isTaken = solved->certificate.isCertified && take(std::move(*solved));
+    const bool isTaken = solved->certificate.isCertified && take(std::move(*solved), values.given);
     if (!isTaken && record.turned == 0) record.method += ", not certified";
     out_.report.attempts.push_back(record);
     return isTaken;
@@ -272,7 +272,7 @@ class GridAligner {
     }
   }
 
-  bool take(StraightAttempt solved) {
+  bool take(StraightAttempt solved, const std::vector<std::pair<int, double>>& given) {
     const CompleteSpec& spec = setup_.seamless.field.spec;
     std::optional<UvMap> snapped =
         snapAligned(mesh_, std::move(solved.map), 4, setup_.seamless.cones, spec.features);
@@ -283,6 +283,8 @@ class GridAligner {
     describeGrid(mesh_, solved.map, coneCount(), out_.report);
     out_.report.isAligned = true;
     out_.attempt = std::move(solved);
+    out_.isHeld.assign(at(setup_.unknowns.count), 0);
+    for (const auto& [unknown, value] : given) out_.isHeld[at(unknown)] = 1;
     return true;
   }
 

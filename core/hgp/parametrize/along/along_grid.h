@@ -9,7 +9,8 @@ namespace hgp {
 
 struct StraightGrid {
   std::optional<StraightAttempt>
-      attempt;  ///< in cells, snapped; nothing if no integers led to a map
+      attempt;               ///< in cells, snapped; nothing if no integers led to a map
+  std::vector<char> isHeld;  ///< by real unknown: 1 where its value is given
   GridReport report;
   bool isCancelled = false;
 };

@@ -38,6 +38,7 @@ const variants = [
 const alongCreases = [
   ['without features', []],
   ['`--creases`', ['--creases']],
+  ['`--creases`, isometric', ['--creases', '--improve', 'isometric']],
 ];
 const kCells = 4000;
 

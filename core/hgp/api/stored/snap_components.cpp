@@ -9,7 +9,8 @@ ComponentSnapper::ComponentSnapper(const Model& model, const std::vector<Compone
   for (std::size_t p = 0; p < components.size(); ++p) {
     mirrors_.emplace_back();
     if (components[p].mirror)
-      mirrors_.back().emplace(model.components[p].mesh, *components[p].mirror, components[p].map);
+      mirrors_.back() = std::make_unique<MirrorPlaces>(model.components[p].mesh,
+                                                       *components[p].mirror, components[p].map);
     if (!components[p].certificate.isCertified) {  // rounding must not hide its faults
       snappers_.emplace_back();
       continue;

@@ -2,6 +2,7 @@
 // Role: applies grid/snap.h to the components of a file.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "hgp/api/stored/mirror_places.h"
@@ -25,7 +26,8 @@ class ComponentSnapper {
  private:
   const std::vector<ComponentMap>& components_;
   std::vector<std::optional<SeamSnapper>> snappers_;
-  std::vector<std::optional<MirrorPlaces>> mirrors_;  ///< of symmetric ones
+  std::vector<std::unique_ptr<MirrorPlaces>>
+      mirrors_;  ///< of symmetric ones; snappers refer to them
 };
 
 }  // namespace hgp::api

@@ -283,9 +283,9 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
     if (Status done = solveWithWorkingCells(options, run); !done) return done;
   }
   const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;
-  if (!solved->stored.isCertified && mayRepair)
+  if (mayRepair && !solved->stored.isCertified)
     if (Status done = solveImproved(*request, options, run); !done) return done;
-  if (!solved->stored.isCertified && mayRepair)
+  if (mayRepair && !solved->stored.isCertified)
     if (Status done = solveRefined(*request, options, run); !done) return done;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();

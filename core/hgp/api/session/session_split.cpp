@@ -6,6 +6,7 @@
 
 #include "hgp/api/session/session_state.h"
 #include "hgp/api/session/split_model.h"
+#include "hgp/base/check.h"
 
 namespace hgp::api {
 namespace {
@@ -28,11 +29,8 @@ Failure withoutPlaces(Failure failure) {
   return failure;
 }
 
-Note splitNote(const RefinedFacts& facts, const Model& refined) {
-  const bool isAcross = std::any_of(
-      facts.places.begin(), facts.places.end(),
-      [](const RefinedFacts::Place& place) { return place.reason == "edges across the plane"; });
-  return Note(isAcross ? "symmetric-split" : "features-split",
+Note splitNote(const RefinedFacts& facts, const Model& refined, bool crossesPlane) {
+  return Note(crossesPlane ? "symmetric-split" : "features-split",
               {{"edges", facts.edges},
                {"vertices", refined.source().mesh.positions.size()},
                {"triangles", refined.source().mesh.triangles.size()},
@@ -63,7 +61,7 @@ Result<std::shared_ptr<Session::State>> Session::State::solveOn(SplitModel& made
   if (done) done = next->solveWithWorkingCells(options, run);
   if (!done) return isFinal(done) ? done.error() : withoutPlaces(done.error());
   run.refined = std::move(made.facts);
-  run.notes.push_back(splitNote(*run.refined, *next->model));
+  run.notes.push_back(splitNote(*run.refined, *next->model, made.crossesPlane));
   return next;
 }
 
@@ -113,6 +111,7 @@ Status Session::State::solveSplit(const Request& request, const SolveOptions& op
   }
   if (!finer && first && !tried.empty())
     run.notes.push_back(Note("features-split-in-vain", {{"triangles", tried}}));
+  HGP_CHECK(finer || !mustSplit || !first, "a surface without splits is left without a map");
   return finer ? Status(Done{}) : first;
 }
 

@@ -18,7 +18,7 @@ std::vector<std::vector<SplitPlace>> placesOf(const Model& model, const Request&
   for (std::size_t p = 0; p < places.size(); ++p) {
     const TriMesh& mesh = model.components[p].mesh;
     const ComponentRequest& asked = request.components[p];
-    if (asked.spec.features.empty() || !isAsked[p]) continue;
+    if ((!asked.mirror && asked.spec.features.empty()) || !isAsked[p]) continue;
     std::vector<EdgeId> edges = choose(model.components[p], asked);
     if (asked.mirror) {
       const std::size_t count = edges.size();
@@ -74,6 +74,9 @@ bool isCrowded(const Model& model, const Request& request) {
       return true;
   return false;
 }
+
+SplitModel::SplitModel(const Model& m, const Request& r)
+    : model(&m), request(&r), crossesPlane(api::crossesPlane(m, r)) {}
 
 Status SplitModel::split(Splits splits, const std::vector<char>& isOpen) {
   const auto step = [&](const std::vector<char>& isAsked, const char* reason, const auto& choose) {

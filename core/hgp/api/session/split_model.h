@@ -17,8 +17,9 @@ struct SplitModel {
   std::optional<RefinedModel> refined;  ///< *model, if something was split
   std::optional<Request> carried;
   RefinedFacts facts;
+  const bool crossesPlane;  ///< edges across the plane of a symmetric map are split
 
-  SplitModel(const Model& m, const Request& r) : model(&m), request(&r) {}
+  SplitModel(const Model& m, const Request& r);
   SplitModel(const SplitModel&) = delete;
   SplitModel& operator=(const SplitModel&) = delete;
 

@@ -1,7 +1,6 @@
 #include "text_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "hgp/api/notes.h"
@@ -263,12 +262,11 @@ std::string inspectText(const std::string& source, const Style& style) {
     out += row("creases", counted(integer(features, "creaseEdges"), "edge") +
                               formatText(" above %g°, in ", number(features, "degrees")) +
                               counted(integer(features, "creaseChains"), "chain"));
-    const double step = 1e-9 * number(json, "diagonal");  // and + 0.0, so that −0 is 0
     for (const Json& m : json["mirrors"])
-      out += row("mirror plane", (m["name"] == "" ? m["normal"].dump() : text(m["name"])) +
-                                     formatText(" = %.6g, %lld edges in it, %lld across",
-                                                step * std::round(number(m, "offset") / step) + 0.0,
-                                                integer(m, "edgesIn"), integer(m, "edgesAcross")));
+      out += row("mirror plane",
+                 (m["name"] == "" ? m["normal"].dump() : text(m["name"])) +
+                     formatText(" = %.6g, %lld edges in it, %lld across", number(m, "offset"),
+                                integer(m, "edgesIn"), integer(m, "edgesAcross")));
     for (const Json& component : json["components"]) {
       for (const Json& loop : component["boundaryLoops"]) {
         out += row(("loop " + loop["loop"].dump()).c_str(),

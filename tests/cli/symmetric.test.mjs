@@ -208,3 +208,60 @@ test('inspect lists the planes', () => {
   assert.deepEqual([name, edgesIn, edgesAcross], ['X', 8, 0]);
   assert.ok(Math.abs(offset) < 1e-6);
 });
+
+/** A torus of 12 × 12 squares from two angles, with diagonals that rise where isRising(i) says so. */
+function torus(place, isRising) {
+  const id = (i, j) => (i % 12) * 12 + (j % 12);
+  const [vertices, triangles] = [[], []];
+  for (let i = 0; i < 12; i++)
+    for (let j = 0; j < 12; j++) {
+      vertices.push(place((PI * i) / 6, (PI * j) / 6));
+      const [a, b, c, d] = [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)];
+      triangles.push(...(isRising(i) ? [[a, b, c], [a, c, d]] : [[a, b, d], [b, c, d]])); // prettier-ignore
+    }
+  return { vertices, triangles };
+}
+
+test('a reflection without two sides is refused, and inspect does not list it', () => {
+  const free = (t, p) => [cos(t) * (2 + 1.1 * cos(p)), cos(p) + 0.2 * cos(2 * t), sin(p) * sin(t) + 0.3 * sin(2 * t)]; // prettier-ignore
+  const exchanged = (t, p) => [sin(t) - sin(p) + 0.4 * (cos(t) - cos(p)), cos(t) + cos(p) + 0.3 * sin(t) * sin(p), sin(t) + sin(p) + 0.2 * cos(t) * cos(p)]; // prettier-ignore
+  for (const mesh of [
+    torus(free, (i) => i < 6),
+    torus(exchanged, () => true),
+    torus(exchanged, () => false),
+  ]) {
+    // prettier-ignore
+    put('in.obj', toObj(mesh));
+    assert.equal(run('param', 'in.obj', '--symmetric', 'X', '-o', 'no.obj').code, 4);
+    good('inspect', 'in.obj', '--json', 'i.json');
+    const { mirrors } = JSON.parse(readFileSync(at('i.json'), 'utf8'));
+    assert.ok(mirrors.every(({ name }) => name !== 'X'));
+  }
+});
+
+test('components are mirrored each at its own line', () => {
+  const { vertices, triangles } = shapes.ellipsoid;
+  const all = [0, 1, 2, 3].flatMap((n) => vertices.map(([x, y, z]) => [x, y, z + 3 * n]));
+  const others = [0, 1, 2, 3].flatMap((n) => triangles.map((t) => t.map((v) => v + n * vertices.length))); // prettier-ignore
+  put('in.obj', toObj({ vertices: all, triangles: others }));
+  good('param', 'in.obj', '--symmetric', 'X', '-o', 'out.obj', '--force');
+  const corners = readers.obj(at('out.obj'));
+  for (const n of [0, 1, 2, 3]) {
+    const own = corners.filter((t) => Math.abs(t[0][0][2] - 3 * n) < 1);
+    const us = own.flatMap((t) => t.map(([, [u]]) => u));
+    checkMirrored(own, (Math.min(...us) + Math.max(...us)) / 2);
+  }
+});
+
+test('planes are those of the triangles: other vertices do not move them', () => {
+  const { vertices, triangles } = shapes.ellipsoid;
+  put('in.obj', toObj({ vertices: [...vertices, [9, 0, 0]], triangles }));
+  good('param', 'in.obj', '--symmetric', 'X', '-o', 'out.obj', '--force');
+  checkMirrored(readers.obj(at('out.obj')));
+});
+
+test('options for cones that a symmetric map does not have are refused', () => {
+  put('in.obj', toObj(shapes.ellipsoid));
+  for (const words of [['--count', '8'], ['--cones-for', 'few'], ['--align']])
+    assert.equal(run('param', 'in.obj', '--symmetric', 'X', ...words, '-o', 'no.obj').code, 2);
+});

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hgp/mesh/box.h"
 #include "hgp/mesh/face_flood.h"
-#include "hgp/mesh/finite.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -42,8 +40,13 @@ Matrix eigenvectors(Matrix a) {
   return axes;
 }
 
-/// Mean and second moments of the corners of all triangles.
+/// An offset that is smaller, relative to the diagonal, is a rounding error of single precision, and so is a smaller coordinate
+/// of a normal one of double precision.
+constexpr double kNoOffset = 1e-6, kNoTilt = 1e-9;
+
+/// Box, mean and second moments of the corners of all triangles.
 struct Moments {
+  Box<3> box;
   Vec3 mean{0.0, 0.0, 0.0};
   Matrix second{};
 };
@@ -52,7 +55,10 @@ Moments momentsOf(const MeshData& mesh) {
   Moments out;
   const double share = 1.0 / (3.0 * static_cast<double>(mesh.triangles.size()));
   for (const auto& corners : mesh.triangles)
-    for (const int v : corners) out.mean = add(out.mean, scaled(mesh.positions[at(v)], share));
+    for (const int v : corners) {
+      out.box.add(mesh.positions[at(v)]);
+      out.mean = add(out.mean, scaled(mesh.positions[at(v)], share));
+    }
   for (const auto& corners : mesh.triangles)
     for (const int v : corners) {
       const Vec3 d = subtract(mesh.positions[at(v)], out.mean);
@@ -169,17 +175,28 @@ Vec3 mirrored(const MirrorPlane& plane, const Vec3& p) {
 std::vector<MirrorPlane> likelyPlanes(const MeshData& mesh) {
   std::vector<MirrorPlane> planes;
   if (mesh.triangles.empty()) return planes;
-  const Box<3> box = finiteBoxOf(mesh.positions);
+  const Moments moments = momentsOf(mesh);
+  const Box<3>& box = moments.box;
   for (std::size_t k = 0; k < 3; ++k) {
     Vec3 normal{0.0, 0.0, 0.0};
     normal[k] = 1.0;
     planes.push_back(
         {std::string(1, static_cast<char>('X' + k)), normal, 0.5 * (box.low[k] + box.high[k])});
   }
-  const Moments moments = momentsOf(mesh);
   for (const Vec3& axis : eigenvectors(moments.second))
     if (!isAxis(axis)) planes.push_back({"", axis, dot(axis, moments.mean)});
+  for (MirrorPlane& plane : planes) {
+    if (std::fabs(plane.offset) < kNoOffset * diagonal(box)) plane.offset = 0.0;
+    for (double& x : plane.normal)
+      if (std::fabs(x) < kNoTilt) x = 0.0;
+  }
   return planes;
+}
+
+Box<3> boxOfCorners(const TriMesh& mesh) {
+  Box<3> box;
+  for (HalfedgeId h : mesh.halfedges()) box.add(mesh.position(mesh.tail(h)));
+  return box;
 }
 
 ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const MirrorPlane& plane,
@@ -195,13 +212,23 @@ ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const Mi
   out.without = TriMesh::face(first);
   if (from.faceCount() != to.faceCount()) return out;
   Walk walk(from, to, plane, tolerance);
-  const auto isAt = [&](VertexId v, const Vec3& p) {
-    return distance(to.position(v), p) <= tolerance;
-  };
-  for (HalfedgeId g : to.halfedges()) {
-    if (!isAt(to.head(g), place[0]) || !isAt(to.tail(g), place[1]) ||
-        !isAt(to.head(TriMesh::next(g)), place[2]))
-      continue;
+  HalfedgeId g;  // the last start, and how far it is from the place
+  double reached = -1.0;
+  for (std::size_t n = 0; n < kMostStarts; ++n) {
+    HalfedgeId next;
+    double nearest = tolerance;
+    for (HalfedgeId k : to.halfedges()) {
+      const double off = std::max({distance(to.position(to.head(k)), place[0]),
+                                   distance(to.position(to.tail(k)), place[1]),
+                                   distance(to.position(to.head(TriMesh::next(k))), place[2])});
+      if (off < reached || (off == reached && !(g < k))) continue;
+      if (!(off <= nearest) || (next.isValid() && off == nearest)) continue;
+      next = k;
+      nearest = off;
+    }
+    if (!next.isValid()) break;
+    g = next;
+    reached = nearest;
     if (walk.run(first, g)) {
       out.matched = walk.matched();
       out.reflection = std::move(walk.image());
@@ -212,6 +239,26 @@ ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const Mi
     out.without = walk.without();
   }
   return out;
+}
+
+bool hasTwoSides(const TriMesh& mesh, const Reflection& own) {
+  PerVertex<char> isIn(at(mesh.vertexCount()), 0);
+  std::vector<VertexId> side;  // all that is joined to its first vertex
+  const auto take = [&](VertexId v) {
+    isIn[v] = 1;
+    side.push_back(v);
+  };
+  for (HalfedgeId h : mesh.halfedges()) {
+    if (own.halfedge[own.halfedge[h]] != h) return false;
+    if (side.empty() && own.vertex[mesh.tail(h)] != mesh.tail(h)) take(mesh.tail(h));
+  }
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    const VertexId v = side[i];
+    for (HalfedgeId h : outgoingHalfedges(mesh, v))
+      for (const VertexId w : {mesh.head(h), mesh.tail(TriMesh::previous(h))})
+        if (!isIn[w] && own.vertex[w] != w && own.vertex[w] != v) take(w);
+  }
+  return !side.empty() && !isIn[own.vertex[side.front()]];
 }
 
 std::vector<EdgeId> edgesInPlane(const TriMesh& mesh, const Reflection& own) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hgp/mesh/box.h"
 #include "hgp/mesh/tri_mesh.h"
 
 namespace hgp {
@@ -18,13 +19,16 @@ struct MirrorPlane {
 /// The mirrored point.
 Vec3 mirrored(const MirrorPlane& plane, const Vec3& p);
 
-/// Planes in which a surface could be symmetric: across X, Y and Z through the centre of the bounding box; across the principal
-/// axes of its corners through their mean, where these are others.
+/// Planes in which a surface could be symmetric: across X, Y and Z through the centre of the triangles' bounding box; across the
+/// principal axes of their corners through their mean, where these are others. An offset below 1e-6 of the box's diagonal is a
+/// rounding error of single precision, and 0; so is a coordinate of a normal below 1e-9.
 std::vector<MirrorPlane> likelyPlanes(const MeshData& mesh);
 
-/// Vertices may be off their mirrored places by this fraction of the bounding box's diagonal. Which vertex is whose image
-/// does not depend on it: that follows from the triangles.
+/// Vertices may be off their mirrored places by this fraction of the diagonal of their component's bounding box. Which vertex is
+/// whose image does not depend on it: that follows from the triangles.
 inline constexpr double kMirrorTolerance = 1e-4;
+/// The bounding box of a mesh without its unused vertices.
+Box<3> boxOfCorners(const TriMesh& mesh);
 
 /// A bijection of the triangles, vertices and edges of `from` and `to` that turns every triangle over.
 struct Reflection {
@@ -40,9 +44,10 @@ struct ReflectionSearch {
   FaceId without;   ///< a triangle without an image
 };
 
-/// Finds it by walking over both surfaces at once from a triangle and its image; O(|F|) for each triangle at the place of an image
-/// of the largest one.
+/// Finds it by walking over both surfaces at once from a triangle and its image, O(|F|) for each of at most kMostStarts triangles
+/// at the mirrored place of the largest one, the nearest first.
 /// @param tolerance  in units of the surface; @pre both connected
+inline constexpr std::size_t kMostStarts = 16;
 ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const MirrorPlane& plane,
                                 double tolerance);
 
@@ -51,6 +56,11 @@ struct Mirror {
   MirrorPlane plane;
   Reflection own;
 };
+
+/// Whether the reflection exchanges two sides of a connected surface: it is its own inverse, and without what it leaves in place
+/// the surface falls into two pieces. Others, of which maps cannot be made of one side, fix no point at all, or curves that
+/// cut nothing off, as the exchange of a torus's two angles does.
+bool hasTwoSides(const TriMesh& mesh, const Reflection& own);
 
 /// Edges of a surface that the plane contains: every vertex of them is its own image. Ascending.
 /// @param own  of the surface onto itself
@@ -70,7 +80,7 @@ struct HalfSurface {
 };
 
 /// The side to which the normal points; its boundary edges are those in the plane and the whole's own.
-/// @pre no edge of `own` is across
+/// @pre hasTwoSides(); no edge is across
 HalfSurface halfOf(const TriMesh& mesh, const Reflection& own, const MirrorPlane& plane);
 
 }  // namespace hgp

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hgp/mesh/topology.h"
 #include "hgp/mesh/vectors.h"
@@ -112,6 +113,78 @@ TEST(Reflection, PrincipalAxesFindThePlaneOfATurnedSurface) {
     found += findReflection(mesh, mesh, plane, 1e-6).reflection.has_value();
   }
   EXPECT_EQ(found, 1);
+}
+
+/// A torus of 12 × 12 squares; place(t, p) of two angles, and isRising(i, j) of the diagonals.
+template <class Place, class IsRising>
+MeshData torusOf(const Place& place, const IsRising& isRising) {
+  constexpr int kN = 12;
+  MeshData out;
+  const auto id = [](int i, int j) { return (i % kN) * kN + j % kN; };
+  for (int i = 0; i < kN; ++i)
+    for (int j = 0; j < kN; ++j) {
+      out.positions.push_back(place(std::acos(-1.0) * i / 6, std::acos(-1.0) * j / 6));
+      const int a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
+      if (isRising(i, j))
+        out.triangles.insert(out.triangles.end(), {{a, b, c}, {a, c, d}});
+      else
+        out.triangles.insert(out.triangles.end(), {{a, b, d}, {b, c, d}});
+    }
+  return out;
+}
+
+TEST(Reflection, HasTwoSidesOnlyIfItsPlaneCutsTheSurfaceApart) {
+  for (const test::Shape& shape :
+       {test::octahedron(), test::icosphere(1), test::icosphere(4), glued(6)}) {
+    const std::optional<Reflection> own = reflectionOf(shape, "X");
+    ASSERT_TRUE(own) << shape.name;
+    EXPECT_TRUE(hasTwoSides(shape.mesh(), *own)) << shape.name;
+  }
+  // (t, p) → (t + π, −p) leaves no point in place.
+  const MeshData free = torusOf(
+      [](double t, double p) {
+        return Vec3{std::cos(t) * (2 + 1.1 * std::cos(p)), std::cos(p) + 0.2 * std::cos(2 * t),
+                    std::sin(p) * std::sin(t) + 0.3 * std::sin(2 * t)};
+      },
+      [](int i, int) { return i < 6; });
+  // (t, p) → (p, t) leaves a circle in place, beside which the rest is in one piece.
+  const auto exchanged = [](double t, double p) {
+    return Vec3{std::sin(t) - std::sin(p) + 0.4 * (std::cos(t) - std::cos(p)),
+                std::cos(t) + std::cos(p) + 0.3 * std::sin(t) * std::sin(p),
+                std::sin(t) + std::sin(p) + 0.2 * std::cos(t) * std::cos(p)};
+  };
+  const MeshData along = torusOf(exchanged, [](int, int) { return true; });
+  const MeshData across = torusOf(exchanged, [](int, int) { return false; });
+  for (const MeshData& data : {free, along, across}) {
+    const test::Shape shape{"torus", data, 1, 0};
+    const std::optional<Reflection> own = reflectionOf(shape, "X");
+    ASSERT_TRUE(own);
+    EXPECT_FALSE(hasTwoSides(shape.mesh(), *own));
+  }
+}
+
+TEST(Reflection, OfATinySurfaceIsTheNearestOne) {
+  for (unsigned seed = 1; seed < 6; ++seed) {
+    const test::Shape shape = test::scattered(test::icosphere(3), seed);
+    const TriMesh mesh = shape.mesh();
+    const auto search = findReflection(mesh, mesh, planeNamed(shape.data, "X"), 10.0);
+    ASSERT_TRUE(search.reflection);
+    EXPECT_LT(search.reflection->distance, 1e-9);
+  }
+}
+
+TEST(LikelyPlanes, IgnoreUnusedVerticesAndOffsetsOfRoundingErrors) {
+  test::Shape shape = test::icosphere(3);
+  for (Vec3& p : shape.data.positions) p = {1.5 * p[0] + 5.0, p[1] + 3e-7, 0.7 * p[2]};
+  const auto planes = likelyPlanes(shape.data);
+  ASSERT_EQ(planes.size(), 3U);
+  EXPECT_NEAR(planes[0].offset, 5.0, 1e-9);
+  EXPECT_EQ(planes[1].offset, 0.0);
+  EXPECT_EQ(planes[2].offset, 0.0);
+  shape.data.positions.push_back({0.0, -9.0, 0.0});
+  const auto others = likelyPlanes(shape.data);
+  ASSERT_EQ(others.size(), planes.size());
+  for (std::size_t n = 0; n < planes.size(); ++n) EXPECT_EQ(others[n].offset, planes[n].offset);
 }
 
 TEST(HalfSurface, HasHalfOfTheTrianglesAndItsNewRimInThePlane) {

@@ -3,66 +3,70 @@
 #include <algorithm>
 
 #include "hgp/base/check.h"
-#include "hgp/mesh/finite.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::api {
 namespace {
 
-/// Pairs of components are looked for among at most so many.
+/// The image of a component is looked for among at most so many.
 constexpr std::size_t kPaired = 1000;
+/// A component may be off by this fraction of the whole's diagonal, which positions in single precision are.
+constexpr double kRounding = 3e-7;
 
 Vec3 meanOf(const TriMesh& mesh) {
   Vec3 sum{0.0, 0.0, 0.0};
-  for (VertexId v : mesh.vertices()) sum = add(sum, mesh.position(v));
-  return scaled(sum, 1.0 / mesh.vertexCount());
+  for (HalfedgeId h : mesh.halfedges()) sum = add(sum, mesh.position(mesh.tail(h)));
+  return scaled(sum, 1.0 / mesh.halfedgeCount());
 }
 
 class Finder {
  public:
-  Finder(const Model& model, const MirrorPlane& plane)
-      : model_(model), tolerance_(kMirrorTolerance * diagonal(finiteBoxOf(model.mesh.positions))) {
+  Finder(const Model& model, const MirrorPlane& plane) : model_(model) {
     out_.plane = plane;
-    for (const ModelComponent& component : model.components)
-      mean_.push_back(meanOf(component.mesh));
+    Box<3> whole;
+    for (const ModelComponent& component : model.components) {
+      const Box<3> box = boxOfCorners(component.mesh);
+      tolerance_.push_back(kMirrorTolerance * diagonal(box));
+      whole.add(box.low);
+      whole.add(box.high);
+    }
+    for (double& tolerance : tolerance_)
+      tolerance = std::max(tolerance, kRounding * diagonal(whole));
   }
 
   ModelMirror run() {
-    const std::size_t count = model_.components.size();
-    out_.image.assign(count, -1);
-    out_.own.resize(count);
-    for (std::size_t p = 0; p < count; ++p) {
-      if (isFound(p, p)) continue;
-      std::size_t o = count <= kPaired ? 0 : count;
-      while (o < count && (o == p || !isFound(p, o))) ++o;
-      if (o < count) continue;
-      out_.missing.component = static_cast<int>(p);
-      break;
+    for (std::size_t p = 0; p < tolerance_.size(); ++p) {
+      const TriMesh& mesh = model_.components[p].mesh;
+      ReflectionSearch search = findIn(p, p);
+      if (!search.reflection || !hasTwoSides(mesh, *search.reflection)) {
+        out_.missing = {static_cast<int>(p), search.matched, search.without, imageOf(p)};
+        break;
+      }
+      out_.distance = std::max(out_.distance, search.reflection->distance);
+      out_.inPlane += static_cast<int>(edgesInPlane(mesh, *search.reflection).size());
+      out_.across += static_cast<int>(edgesAcross(mesh, *search.reflection).size());
+      out_.own.push_back(
+          std::make_shared<Mirror>(Mirror{out_.plane, std::move(*search.reflection)}));
     }
     return std::move(out_);
   }
 
  private:
-  bool isFound(std::size_t p, std::size_t o) {
-    const TriMesh &from = model_.components[p].mesh, &to = model_.components[o].mesh;
-    if (p != o && (from.faceCount() != to.faceCount() ||
-                   distance(mirrored(out_.plane, mean_[p]), mean_[o]) > tolerance_))
-      return false;
-    ReflectionSearch search = findReflection(from, to, out_.plane, tolerance_);
-    if (p == o) out_.missing = {-1, search.matched, search.without};
-    if (!search.reflection) return false;
-    out_.image[p] = static_cast<int>(o);
-    out_.distance = std::max(out_.distance, search.reflection->distance);
-    if (p != o) return true;
-    out_.inPlane += static_cast<int>(edgesInPlane(from, *search.reflection).size());
-    out_.across += static_cast<int>(edgesAcross(from, *search.reflection).size());
-    out_.own[p] = std::make_shared<Mirror>(Mirror{out_.plane, std::move(*search.reflection)});
-    return true;
+  ReflectionSearch findIn(std::size_t p, std::size_t o) const {
+    return findReflection(model_.components[p].mesh, model_.components[o].mesh, out_.plane,
+                          tolerance_[p]);
+  }
+  int imageOf(std::size_t p) const {
+    const auto meanAt = [&](std::size_t o) { return meanOf(model_.components[o].mesh); };
+    const Vec3 there = mirrored(out_.plane, meanAt(p));
+    for (std::size_t o = 0; o < std::min(kPaired, tolerance_.size()); ++o)
+      if (o != p && distance(there, meanAt(o)) <= tolerance_[p] && findIn(p, o).reflection)
+        return static_cast<int>(o);
+    return -1;
   }
 
   const Model& model_;
-  const double tolerance_;
-  std::vector<Vec3> mean_;
+  std::vector<double> tolerance_;  ///< per component
   ModelMirror out_;
 };
 

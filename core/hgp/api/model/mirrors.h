@@ -9,25 +9,25 @@
 
 namespace hgp::api {
 
-/// Where a model is no mirror image of itself.
+/// Where a model has no two sides that are mirror images of each other.
 struct NoMirror {
-  int component = -1;  ///< the first without an image
-  int matched = 0;     ///< its triangles that have one
+  int component = -1;  ///< the first that has none
+  int matched = 0;     ///< its triangles that have an image; all of them: but not hasTwoSides()
   FaceId without;      ///< one that has none
+  int other = -1;      ///< another component that is its image
 };
 
 struct ModelMirror {
   MirrorPlane plane;
   double distance = 0.0;        ///< of a vertex's image from its mirrored place, at most
   int inPlane = 0, across = 0;  ///< edges
-  std::vector<int> image;       ///< component → component
-  std::vector<std::shared_ptr<const Mirror>> own;  ///< of components that are their own images
-  NoMirror missing;                                ///< component −1: every one has an image
+  std::vector<std::shared_ptr<const Mirror>> own;  ///< per component
+  NoMirror missing;                                ///< component −1: none is
 };
 
-/// The components' images across the plane, up to the first that has none.
+/// The components' reflections onto themselves, up to the first that has none with two sides.
 ModelMirror mirrorAcross(const Model& model, const MirrorPlane& plane);
-/// All planes of likelyPlanes() across which every component has an image.
+/// All planes of likelyPlanes() across which every component has one.
 std::vector<ModelMirror> findMirrors(const Model& model);
 /// "X = 0.25"; "(0.6, 0.8, 0) · p = 0.25"
 std::string planeText(const MirrorPlane& plane);

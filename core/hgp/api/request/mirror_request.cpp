@@ -1,10 +1,11 @@
 #include "hgp/api/request/mirror_request.h"
 
 #include <algorithm>
+#include <climits>
 
 #include "hgp/api/model/mirrors.h"
 #include "hgp/base/check.h"
-#include "hgp/mesh/finite.h"
+#include "hgp/parametrize/stage_clock.h"
 
 namespace hgp::api {
 namespace {
@@ -23,46 +24,45 @@ Status checkPossible(const SolveOptions& options, const Request& request) {
   if (options.refines) return clash("a refined mesh is not symmetric; leave out either");
   if (options.convexPolygons)
     return clash("convex polygons would move uv on one side only; leave out either");
+  if (options.coneCount > 0 || options.conesFor != ConesFor::kBalanced || options.alignToCurvature)
+    return clash(
+        "cones of a symmetric map are those of a field; leave out their number, purpose "
+        "and alignment");
   if (request.q != 4)
     return refuse(ErrorCode::kUsage,
                   formatText("a symmetric map needs q = 4; these cones have q = %d", request.q));
   return Done{};
 }
 
-Failure notSymmetric(const Model& model, const ModelMirror& mirror) {
-  const NoMirror& missing = mirror.missing;
-  const ModelComponent& component = model.components[at(missing.component)];
-  const std::string of =
-      model.components.size() == 1 ? "" : formatText(" of component %d", missing.component);
-  Failure failure = refuse(
-      ErrorCode::kUnsupported,
-      formatText("the mesh is not symmetric across %s: %d of %d triangles%s have a mirror image, "
-                 "with vertices within %g of the bounding box's diagonal and joined by the same "
-                 "triangles.",
-                 planeText(mirror.plane).c_str(), missing.matched, component.mesh.faceCount(),
-                 of.c_str(), kMirrorTolerance),
-      {{Where::Kind::kFace, missing.without.i}});
-  return toSurfaceIds(model, component, std::move(failure));
-}
-
-/// The plane that is asked for, or the best of all.
-ModelMirror mirrorFor(const Model& model, Symmetry symmetry) {
-  const std::vector<MirrorPlane> planes = likelyPlanes(model.mesh);
-  if (symmetry != Symmetry::kAuto)
-    return mirrorAcross(
-        model, planes[static_cast<std::size_t>(symmetry) - static_cast<std::size_t>(Symmetry::kX)]);
-  std::optional<ModelMirror> best;
-  for (const MirrorPlane& plane : planes) {
-    ModelMirror mirror = mirrorAcross(model, plane);
-    const bool isWhole = mirror.missing.component < 0;
-    // A plane that no edges cross needs no other triangles.
-    if (isWhole && mirror.across == 0) return mirror;
-    const auto rank = [](const ModelMirror& m) {
-      return m.missing.component < 0 ? 1 << 30 : m.missing.matched;
-    };
-    if (!best || rank(mirror) > rank(*best)) best = std::move(mirror);
-  }
-  return std::move(*best);
+/// Why there are no two sides of the plane. @param next  what to do
+Failure notSymmetric(const Model& model, const ModelMirror& mirror, const std::string& next = "") {
+  const auto& [p, matched, without, other] = mirror.missing;
+  const ModelComponent& component = model.components[at(p)];
+  const std::string plane = planeText(mirror.plane);
+  if (other >= 0)
+    return refuse(ErrorCode::kUnsupported,
+                  formatText("components %d and %d are mirror images of each other across %s, and "
+                             "neither is one of itself; parametrize one of them and mirror it.",
+                             p, other, plane.c_str()) +
+                      next);
+  const int faces = component.mesh.faceCount();
+  if (matched == faces)
+    return toSurfaceIds(
+        model, component,
+        refuse(ErrorCode::kUnsupported,
+               formatText("all %d triangles have mirror images across %s, but they are not two "
+                          "sides: the plane does not cut them apart.",
+                          faces, plane.c_str()) +
+                   next));
+  return toSurfaceIds(
+      model, component,
+      refuse(ErrorCode::kUnsupported,
+             formatText("the mesh is not symmetric across %s: %d of %d triangles have a mirror "
+                        "image, with vertices within %g of its diagonal and joined by the same "
+                        "triangles. Replace one side by the image of the other.",
+                        plane.c_str(), matched, faces, kMirrorTolerance) +
+                 next,
+             {{Where::Kind::kFace, without.i}}));
 }
 
 void addTo(const TriMesh& mesh, const std::shared_ptr<const Mirror>& mirror,
@@ -77,19 +77,36 @@ void addTo(const TriMesh& mesh, const std::shared_ptr<const Mirror>& mirror,
   request.mirror = mirror;
 }
 
-Status take(const Model& model, const ModelMirror& mirror, Request& request) {
-  if (mirror.missing.component >= 0) return notSymmetric(model, mirror);
-  for (std::size_t p = 0; p < model.components.size(); ++p)
-    if (!mirror.own[p])
-      return refuse(
-          ErrorCode::kUnsupported,
-          formatText("components %d and %d are mirror images of each other across %s, "
-                     "and none of them is one of itself; parametrize one of them and "
-                     "mirror it",
-                     static_cast<int>(p), mirror.image[p], planeText(mirror.plane).c_str()));
+void take(const Model& model, const ModelMirror& mirror, Request& request) {
   for (std::size_t p = 0; p < model.components.size(); ++p)
     addTo(model.components[p].mesh, mirror.own[p], request.components[p]);
   request.plane = mirror.plane;
+}
+
+/// Sets the plane that is asked for, or the best of all.
+Status takePlane(const Model& model, const SolveOptions& options, Request& request) {
+  std::vector<MirrorPlane> planes = likelyPlanes(model.mesh);
+  const bool isAuto = options.symmetry == Symmetry::kAuto;
+  if (!isAuto)
+    planes = {planes[static_cast<std::size_t>(options.symmetry) -
+                     static_cast<std::size_t>(Symmetry::kX)]};
+  std::optional<ModelMirror> best;
+  // A plane that no edges cross needs no other triangles.
+  const auto rank = [](const ModelMirror& m) {
+    return m.missing.component >= 0 ? m.missing.matched : INT_MAX - (m.across > 0 ? 1 : 0);
+  };
+  for (const MirrorPlane& plane : planes) {
+    if (!report(options.progress, {Stage::kPrepare, 0.0})) return cancelled(Stage::kPrepare);
+    ModelMirror mirror = mirrorAcross(model, plane);
+    if (!best || rank(mirror) > rank(*best)) best = std::move(mirror);
+    if (rank(*best) == INT_MAX) break;
+  }
+  if (best->missing.component >= 0)
+    return notSymmetric(
+        model, *best,
+        isAuto ? formatText(" None of %zu planes that were tried comes nearer.", planes.size())
+               : " See the planes that inspect lists.");
+  take(model, *best, request);
   return Done{};
 }
 
@@ -98,16 +115,24 @@ Status take(const Model& model, const ModelMirror& mirror, Request& request) {
 Status addMirror(const Model& model, const SolveOptions& options, Request& request) {
   if (options.symmetry == Symmetry::kNone) return Done{};
   if (Status possible = checkPossible(options, request); !possible) return possible;
-  const ModelMirror mirror = mirrorFor(model, options.symmetry);
-  if (Status done = take(model, mirror, request); !done) return done;
-  request.notes.push_back(
-      Note("symmetric", {{"plane", planeText(mirror.plane)},
-                         {"off", mirror.distance / diagonal(finiteBoxOf(model.mesh.positions))}}));
-  return Done{};
+  return takePlane(model, options, request);
 }
 
 Status setMirrors(const Model& model, Request& request) {
-  return request.plane ? take(model, mirrorAcross(model, *request.plane), request) : Status(Done{});
+  if (!request.plane) return Done{};
+  const ModelMirror mirror = mirrorAcross(model, *request.plane);
+  if (mirror.missing.component >= 0) return notSymmetric(model, mirror);
+  take(model, mirror, request);
+  return Done{};
+}
+
+Note mirrorNote(const Model& model, const Request& request) {
+  double off = 0.0;
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    const double size = diagonal(boxOfCorners(model.components[p].mesh));
+    off = std::max(off, request.components[p].mirror->own.distance / size);
+  }
+  return Note("symmetric", {{"plane", planeText(*request.plane)}, {"off", off}});
 }
 
 bool crossesPlane(const Model& model, const Request& request) {

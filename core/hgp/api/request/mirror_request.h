@@ -5,12 +5,15 @@
 
 namespace hgp::api {
 
-/// Sets the plane of the request, with a note on it, and setMirrors(). Fails with kUsage for options that do not go with symmetry,
-/// with kUnsupported where the mesh has no such reflection; the message says how far the reflection goes.
+/// Sets the plane of the request and setMirrors(). Fails with kUsage for options that do not go with symmetry, with kUnsupported
+/// where the mesh has no such reflection; the message says how far the reflection goes.
 Status addMirror(const Model& model, const SolveOptions& options, Request& request);
 
 /// Sets the mirror of every component for request.plane, if there is one, with the edges in the plane as features.
 Status setMirrors(const Model& model, Request& request);
+
+/// Says that a map is symmetric, which all components' maps must be. @pre request.plane
+Note mirrorNote(const Model& model, const Request& request);
 
 /// Whether edges cross the plane: a map needs edges in it instead.
 bool crossesPlane(const Model& model, const Request& request);

@@ -162,7 +162,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   if (!clock.begin(Stage::kPrepare)) return clock.cancelled();
   surfaceOf(p);
   clock.end();
-  if (!request.spec.features.empty()) return solveAlong(p, request, core);
+  if (request.mirror || !request.spec.features.empty()) return solveAlong(p, request, core);
   SolveOptions choice = options;
   choice.q = request.spec.q;
   Result<Parametrization> run = request.isAutomatic
@@ -225,7 +225,7 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   std::vector<ComponentMap> maps;
   maps.reserve(model->components.size());
   run.components.reserve(model->components.size());
-  bool areAligned = true;
+  bool areAligned = true, areMirrored = request.plane.has_value();
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveOnGrid(p, request.components[p], shared, run);
     bool isKept = false;
@@ -242,11 +242,13 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
     if (!component) return component.error();
     const bool isAligned = component->grid && component->grid->isAligned;
     areAligned = areAligned && isAligned;
+    areMirrored = areMirrored && component->mirror;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
                     std::move(component->certificate), isAligned ? 1.0 : 0.0, isKept, whyNone,
                     component->mirror});
     run.components.push_back(std::move(*component));
   }
+  if (areMirrored) run.notes.push_back(mirrorNote(*model, request));
   storeMaps(std::move(maps), request.q, options, areAligned, run);
   return Done{};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/parametrize/along/along_features.h"
 #include "hgp/parametrize/mirror/mirrored_map.h"
@@ -128,6 +129,7 @@ Result<Parametrization> parametrizeSymmetric(const TriMesh& mesh,
                                              const ParametrizeOptions& options) {
   if (Status pairs = checkPairs(*mirror, spec); !pairs) return std::move(pairs).error();
   const HalfSurface half = halfOf(mesh, mirror->own, mirror->plane);
+  HGP_CHECK(2 * half.mesh.faceCount() == mesh.faceCount(), "one side is half of the surface");
   HolonomySpec asked;
   asked.q = spec.q;
   asked.features = featuresOfSide(mesh, *mirror, half, spec.features);

@@ -11,7 +11,7 @@ namespace hgp {
 /// verifies all of it on the whole surface. Features are those of `spec` and their images, the edges in the plane and all
 /// boundary edges; cones come in pairs, or lie in the plane with an even k. Fails with kUsage where prescribed cones are no
 /// mirror images of each other, and as parametrizeAlongFeatures(), with places on the whole surface.
-/// @pre one component; no edge is across the plane; some edge is in it
+/// @pre one component; hasTwoSides(); no edge is across the plane
 Result<Parametrization> parametrizeSymmetric(const TriMesh& mesh,
                                              const std::shared_ptr<const Mirror>& mirror,
                                              const HolonomySpec& spec,

@@ -848,11 +848,11 @@ export interface ModelInfo {
     rimEdges: number;
   };
   /**
-   * Planes across which the mesh is its own mirror image, for --symmetric (absent for unusable meshes)
+   * Planes with --symmetric: each cuts every component into two sides that are mirror images of each other (absent for unusable meshes)
    */
   mirrors?: {
     /**
-     * the axis that is the normal, through the centre of the bounding box; empty for a principal axis
+     * the axis that is the normal, through the centre of the bounding box of the triangles; empty for a principal axis
      */
     name: 'X' | 'Y' | 'Z' | '';
     /**
@@ -861,7 +861,7 @@ export interface ModelInfo {
      */
     normal: [number, number, number];
     /**
-     * normal · p of the plane's points
+     * normal · p of the plane's points; 0 where it is below 1e-6 of the box's diagonal
      */
     offset: number;
     /**
@@ -996,7 +996,7 @@ export interface Report {
      */
     convexPolygons?: true;
     /**
-     * the plane across which the map is its own mirror image
+     * the plane that was asked for across which the map is its own mirror image; the note `symmetric` names the plane that was taken
      */
     symmetric?: 'auto' | 'X' | 'Y' | 'Z';
     /**

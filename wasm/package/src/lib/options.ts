@@ -185,7 +185,8 @@ export interface SolveOptions extends SuggestOptions {
   convexPolygons?: boolean;
   /**
    * Solve one side of a plane that mirrors the mesh, and mirror the map, to the last bit (q = 4). Across X, Y or Z through
-   * the centre of the bounding box, or whichever plane fits; `inspect` lists them.
+   * the centre of the triangles' bounding box, or whichever plane fits; `inspect` lists them. Cones cannot be chosen by number
+   * or purpose then.
    */
   symmetric?: 'auto' | 'X' | 'Y' | 'Z';
   /**

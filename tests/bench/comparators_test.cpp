@@ -59,7 +59,7 @@ SlimOptions untilTheEnd() {
 }
 
 SlimResult slimOf(const FaceTerms& terms, const Eigen::VectorXcd& x, const SlimOptions& options) {
-  const Eigen::VectorXcd free = terms.gather(x);
+  const Eigen::VectorXcd free = terms.free().gather(x);
   return slim(terms, free / dirichletScale(terms, free), options);
 }
 
@@ -73,7 +73,7 @@ TEST(Slim, LowersTheEnergyInEveryStepAndKeepsSeamsThatAreHeld) {
       EXPECT_LT(run.energies[n], run.energies[n - 1]) << start.problem.surface.name;
     EXPECT_GE(run.energies.back(), 4.0 - 1e-9);
     Eigen::VectorXcd x = start.x;
-    terms.scatter(run.free, x);
+    terms.free().scatter(run.free, x);
     const Eigen::VectorXcd z = unknowns.copies * x;
     EXPECT_TRUE(start.problem.certify({z.data(), z.data() + z.size()}).isCertified);
     // The energy of its last step is the one that the verifier measures at the best scale, or above it.
@@ -152,7 +152,7 @@ TEST(LeastSquaresConformal, ReproducesAFlatMeshFromTwoOfItsPoints) {
   for (int c = 0; c < unknowns.count; ++c)
     if (!isHeld[static_cast<std::size_t>(c)]) x[c] = 0.0;
   const FaceTerms terms({mesh, geometry, cut, unknowns}, isHeld, x);
-  terms.scatter(leastSquaresConformal(terms), x);
+  terms.free().scatter(leastSquaresConformal(terms), x);
   EXPECT_LT((x - flat).cwiseAbs().maxCoeff(), 1e-9);
 }
 

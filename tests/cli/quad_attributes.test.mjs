@@ -96,6 +96,21 @@ test('quads across seams are counted, and their corners have what some triangle 
     }
 });
 
+test('on a very small cube it is the same', () => {
+  const unit = 2 ** -299;
+  const small = cubeObj(6).replace(/^v \S+ \S+ \S+/gm, (row) => ['v', ...row.split(' ').slice(1).map((x) => x * unit)].join(' ')); // prettier-ignore
+  put('small.obj', small);
+  const { err } = good('quads', 'small.obj', '--creases', '--cells', '150', '-o', 'small-quads.obj'); // prettier-ignore
+  assert.doesNotMatch(err, /fold/);
+  const { v, vt, faces } = readObj(read('small-quads.obj'));
+  assert.ok(faces.length >= 100);
+  for (const { corners } of faces) {
+    const points = corners.map(([i]) => v[i].slice(0, 3).map((x) => x / unit));
+    const [f] = facesWith(points);
+    corners.forEach(([, uv], k) => assert.ok(isClose(vt[uv], uvOf(f, points[k]), 1e-12)));
+  }
+});
+
 /** A torus with uv = angles: one island with two slits. */
 function torusObj(m, n) {
   const lines = [];

@@ -24,14 +24,23 @@ std::array<Vec3, 3> positionsOf(const TriMesh& mesh, FaceId f) {
 
 std::size_t cornerOf(HalfedgeId h) { return static_cast<std::size_t>(h.i % 3); }
 
+/// The point of a segment nearest to p, as a share of the way from a to b.
+double shareNear(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 side = subtract(b, a);
+  const double square = dot(side, side);
+  return square > 0.0 ? std::clamp(dot(subtract(p, a), side) / square, 0.0, 1.0) : 0.0;
+}
+
+/// Of p from a segment.
+double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b) {
+  return distance(p, add(a, scaled(subtract(b, a), shareNear(p, a, b))));
+}
+
 /// The point of halfedge h nearest to p, as a point of its face.
 CornerPlace placeOn(const TriMesh& mesh, HalfedgeId h, const Vec3& p) {
   const bool isUp = mesh.tail(h) < mesh.head(h);
-  const Vec3& from = mesh.position(isUp ? mesh.tail(h) : mesh.head(h));
-  const Vec3 side = subtract(mesh.position(isUp ? mesh.head(h) : mesh.tail(h)), from);
-  const double square = dot(side, side);
-  const double share =
-      square > 0.0 ? std::clamp(dot(subtract(p, from), side) / square, 0.0, 1.0) : 0.0;
+  const double share = shareNear(p, mesh.position(isUp ? mesh.tail(h) : mesh.head(h)),
+                                 mesh.position(isUp ? mesh.head(h) : mesh.tail(h)));
   CornerPlace out{TriMesh::face(h), {}};
   out.weight[cornerOf(isUp ? h : TriMesh::next(h))] = 1.0 - share;
   out.weight[cornerOf(isUp ? TriMesh::next(h) : h)] = share;
@@ -104,14 +113,6 @@ CornerPlace placeToward(const TriMesh& mesh, const Around& around, const Vec3& p
   const HalfedgeId h = around.edge, twin = mesh.twin(h);
   const bool isAcross = twin.isValid() && inwardOf(mesh, twin, way) > inwardOf(mesh, h, way);
   return placeOn(mesh, isAcross ? twin : h, p);
-}
-
-/// Of p from a segment.
-double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 side = subtract(b, a);
-  const double square = dot(side, side);
-  const double share = square > 0.0 ? std::clamp(dot(subtract(p, a), side) / square, 0.0, 1.0) : 0;
-  return distance(p, add(a, scaled(side, share)));
 }
 
 class SideWalk {

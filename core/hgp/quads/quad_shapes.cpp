@@ -5,6 +5,7 @@
 #include <set>
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/unit_scale.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -13,11 +14,15 @@ double scaledJacobian(const QuadMesh& mesh, int quad) {
   const auto& q = mesh.quads[at(quad)];
   if (std::set<int>(q.begin(), q.end()).size() < 4) return 1.0;
   const auto p = [&](std::size_t k) -> const Vec3& { return mesh.positions[at(q[k % 4])]; };
-  const Vec3 n = cross(subtract(p(2), p(0)), subtract(p(3), p(1)));
+  const double unit = unitScale(std::max(distance(p(0), p(2)), distance(p(1), p(3))));
+  const auto way = [&](std::size_t from, std::size_t to) {
+    return scaled(subtract(p(to), p(from)), unit);
+  };
+  const Vec3 n = cross(way(0, 2), way(1, 3));
   const double length = norm(n);
   double least = 1.0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const Vec3 next = subtract(p(k + 1), p(k)), previous = subtract(p(k + 3), p(k));
+    const Vec3 next = way(k, k + 1), previous = way(k, k + 3);
     const double corner = dot(cross(next, previous), n);
     if (!(corner > 0.0) && !(least < 0.0)) least = 0.0;
     const double sides = norm(next) * norm(previous) * length;

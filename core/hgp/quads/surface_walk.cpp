@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/unit_scale.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -78,8 +79,9 @@ std::optional<SurfacePoint> walkStraight(const TriMesh& mesh, const SurfacePoint
   const double base = norm(edge);
   std::optional<LaidOut> face = laidOut(mesh, first, {0.0, 0.0}, {base, 0.0});
   if (!face) return {};
-  const Vec3 n = cross(edge, subtract(mesh.position(mesh.tail(TriMesh::previous(first))), origin));
-  Vec2 p{dot(offset, edge) / base, dot(cross(n, edge), offset) / (norm(n) * base)};
+  const Vec3 along = scaled(edge, unitScale(base));
+  const Vec3 n = cross(along, subtract(mesh.position(mesh.tail(TriMesh::previous(first))), origin));
+  Vec2 p{dot(offset, edge) / base, dot(cross(n, along), offset) / (norm(n) * norm(along))};
 
   HalfedgeId entered;
   for (int step = 0; step < kMostSteps; ++step) {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "hgp/grid/snap.h"
+#include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/quads/multiple_edges.h"
 #include "hgp/quads/quad_shapes.h"
@@ -180,6 +181,9 @@ TEST(QuadShapes, ACornerThatIsTurnedOverOrFlatCounts) {
   EXPECT_EQ(countFoldedInSpace(mesh), 0);
   mesh.quads = {{4, 1, 2, 3}};
   EXPECT_EQ(countFoldedInSpace(mesh), 0) << "convex";
+  QuadMesh small = mesh;
+  for (Vec3& p : small.positions) p = scaled(p, 0x1p-332);
+  EXPECT_EQ(scaledJacobian(small, 0), scaledJacobian(mesh, 0)) << "whatever the unit of length";
   mesh.quads = {{5, 1, 2, 3}};
   EXPECT_EQ(countFoldedInSpace(mesh), 1) << "a corner of half a turn";
   mesh.quads = {{0, 1, 3, 2}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "also.h"
@@ -45,7 +46,9 @@ class Run {
         return fail(possible.error(), output != a_.json);
     Result<io::FileSet> files = openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
     if (!files) return fail(files.error());
-    if (a_.command == Command::kParam) {
+    const bool isQuadObj =
+        a_.command == Command::kQuads && std::filesystem::path(a_.output).extension() == ".obj";
+    if (a_.command == Command::kParam || isQuadObj) {
       if (Status possible = checkSideFiles(*files, a_); !possible) return fail(possible.error());
     }
     const bool mayBeWhole =
@@ -451,11 +454,12 @@ class Run {
   }
 
   int writeQuads() {
-    Result<api::QuadFile> quads = session_.quads(a_.output);
+    Result<api::QuadFile> quads = session_.quads(a_.output, resolve_);
     if (!quads) return fail(quads.error());
-    if (Status done = writeFiles(a_.output, {{a_.output, std::move(quads->bytes)}}); !done) {
-      return fail(done.error());
-    }
+    std::vector<io::OutputFile> files{{a_.output, std::move(quads->bytes)}};
+    Status done = finishFiles(files, quads->notes, resolve_, a_);
+    if (done) done = writeFiles(a_.output, files);
+    if (!done) return fail(done.error());
     if (!a_.isQuiet) reportQuads(*quads);
     return 0;
   }

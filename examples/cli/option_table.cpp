@@ -433,7 +433,7 @@ class Table {
   void addQuads() {
     CLI::App* sub =
         add("quads", "Align a map to a grid and write its cells as quads", Command::kQuads);
-    addOutput(sub, "An .obj, or a .glb of triangles for viewing", true);
+    addOutput(sub, "An .obj or .ply, or a .glb of triangles", true);
     addForce(sub);
     addPrescription(sub);
     addChoice(sub, "--count");

@@ -49,7 +49,8 @@ Status addSideFiles(std::vector<io::OutputFile>& files, Notes& notes, const io::
     if (isOnlyChecked && !isLibrary && !isThere) continue;
     Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
     if (!bytes && bytes.error().code == ErrorCode::kMalformed) {
-      notes.push_back(Note("read-file-refused", {{"why", bytes.error().message}}));
+      const Note refusal("read-file-refused", {{"why", bytes.error().message}});
+      if (std::find(notes.begin(), notes.end(), refusal) == notes.end()) notes.push_back(refusal);
       continue;
     }
     if (!bytes) return bytes.error();

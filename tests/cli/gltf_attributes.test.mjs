@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import test from 'node:test';
 import { Document, NodeIO } from '@gltf-transform/core';
 import validator from 'gltf-validator';
+import { sentenceOf } from '../support/notes.mjs';
 import { colorOf, cross, cubeFaces, dot, facesWith, isClose, minus, normalOf, uvOf } from '../support/painted.mjs'; // prettier-ignore
 import { inFolder } from '../support/program.mjs';
 
@@ -187,6 +188,63 @@ for (const kind of ['float', 'integers']) {
     await isValid('loose.glb');
   });
 }
+
+test('corners of quads have what their own primitive has there; those that are not on it are counted', async () => {
+  await painted('cube.glb', 6, 'float');
+  const { err } = good('quads', 'cube.glb', '--mesh', '0', '--cells', '200', '-o', 'loose.glb');
+  const root = (await new NodeIO().readBinary(readFileSync(at('loose.glb')))).getRoot();
+  const cube = root.listMeshes().find((m) => m.getName() === 'cube');
+  let elsewhere = 0;
+  cube.listPrimitives().forEach((primitive, part) => {
+    const [position, uv] = ['POSITION', 'TEXCOORD_0'].map((s) => primitive.getAttribute(s));
+    const index = primitive.getIndices().getArray();
+    for (let i = 0; i < index.length; i += 6)
+      for (const v of [0, 1, 2, 5].map((k) => index[i + k])) {
+        const p = position.getElement(v, []);
+        const own = facesWith([p], 1e-6).filter((f) => Math.floor(f / 3) === part);
+        elsewhere += own.length === 0;
+        assert.ok(own.length === 0 || own.some((f) => isClose(uv.getElement(v, []), uvOf(f, p), 1e-5))); // prettier-ignore
+      }
+  });
+  assert.ok(elsewhere > 0);
+  const note = err.split('\n').find((line) => sentenceOf('quads-nearest').test(line));
+  assert.equal(Number(/\d+/.exec(note)[0]), elsewhere);
+});
+
+test('quads of one material in two primitives have what the surface has everywhere', async () => {
+  await painted('cube.glb', 6, 'float');
+  const io = new NodeIO();
+  const document = await io.readBinary(readFileSync(at('cube.glb')));
+  const primitives = document.getRoot().listMeshes()[0].listPrimitives();
+  primitives[1].setMaterial(primitives[0].getMaterial());
+  writeFileSync(at('one.glb'), await io.writeBinary(document));
+  const { err } = good('quads', 'one.glb', '--mesh', '0', '--cells', '200', '-o', 'one-quads.glb');
+  assert.doesNotMatch(err, sentenceOf('quads-nearest'));
+  await isValid('one-quads.glb');
+  const root = (await io.readBinary(readFileSync(at('one-quads.glb')))).getRoot();
+  for (const primitive of root.listMeshes()[0].listPrimitives()) {
+    const [position, uv] = ['POSITION', 'TEXCOORD_0'].map((s) => primitive.getAttribute(s));
+    for (const v of primitive.getIndices().getArray()) {
+      const p = position.getElement(v, []);
+      assert.ok(facesWith([p], 1e-6).some((f) => isClose(uv.getElement(v, []), uvOf(f, p), 1e-5)));
+    }
+  }
+});
+
+test('images beside a .gltf are taken into the GLB of its quads', async () => {
+  await painted('cube.glb', 6, 'float');
+  const io = new NodeIO();
+  const document = await io.readBinary(readFileSync(at('cube.glb')));
+  const picture = Buffer.from('\x89PNG a picture', 'latin1');
+  const texture = document.createTexture('wood').setURI('wood.png').setMimeType('image/png').setImage(picture); // prettier-ignore
+  document.getRoot().listMaterials()[0].setBaseColorTexture(texture);
+  await io.write(at('cube.gltf'), document);
+  const { err } = good('quads', 'cube.gltf', '--mesh', '0', '--creases', '--cells', '150', '-o', 'wood.glb'); // prettier-ignore
+  assert.doesNotMatch(err, sentenceOf('read-file-refused'));
+  assert.doesNotMatch(err, sentenceOf('write-keep-beside'));
+  const [image] = (await io.read(at('wood.glb'))).getRoot().listTextures();
+  assert.deepEqual(Buffer.from(image.getImage()), picture);
+});
 
 /** Prisms over a triangle, whose ends are one triangle each between three creases: the edges of these are split. */
 async function paintedPrism(name, isShared) {

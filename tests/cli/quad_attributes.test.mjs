@@ -1,11 +1,13 @@
 // Quads keep what the input has: uv, colours, normals and materials at every corner, computed here a second time.
 import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
 import test from 'node:test';
+import { NodeIO } from '@gltf-transform/core';
 import { sentenceOf } from '../support/notes.mjs';
 import { colorOf, cubeFaces, dot, facesWith, isClose, normalOf, uvOf } from '../support/painted.mjs'; // prettier-ignore
 import { inFolder } from '../support/program.mjs';
 
-const { put, read, good } = inFolder('quad-attributes');
+const { at, put, read, good } = inFolder('quad-attributes');
 
 /** A cube of n × n squares per face, cut alternately, as OBJ; faces have islands of uv and materials of their own. */
 function cubeObj(n) {
@@ -169,4 +171,103 @@ test('PLY has quads with normals, colours and uv, which hgp reads again', () => 
     );
   }
   assert.match(good('inspect', 'quads.ply').out, new RegExp(`${2 * count('face')} triangles`));
+});
+
+/** Positions and normals of a PLY of quads, a GLB or an OBJ. */
+async function normalsIn(name) {
+  if (name.endsWith('.glb')) {
+    const [mesh] = (await new NodeIO().read(at(name))).getRoot().listMeshes();
+    return mesh.listPrimitives().flatMap((primitive) => {
+      const [points, normals] = ['POSITION', 'NORMAL'].map((s) => primitive.getAttribute(s));
+      return [...primitive.getIndices().getArray()].map((v) => [points.getElement(v, []), normals.getElement(v, [])]); // prettier-ignore
+    });
+  }
+  if (name.endsWith('.obj')) {
+    const { v, vn, faces } = readObj(read(name));
+    return faces.flatMap(({ corners }) => corners.map(([i, , n]) => [v[i].slice(0, 3), vn[n]]));
+  }
+  const [head, body] = read(name).split('end_header\n');
+  const count = Number(/element vertex (\d+)/.exec(head)[1]);
+  const rows = body.split('\n').slice(0, count);
+  return rows.map((row) => row.split(' ').map(Number)).map((x) => [x.slice(0, 3), x.slice(3, 6)]);
+}
+
+async function areNormalsOfTheShape(name) {
+  const found = await normalsIn(name);
+  assert.ok(found.length > 100);
+  for (const [p, n] of found) {
+    const faces = facesWith([p], 1e-6);
+    assert.ok(Math.abs(dot(n, n) - 1) < 1e-6);
+    assert.ok(Math.max(...faces.map((f) => dot(n, normalOf(f)))) > 0.5, `${n} at ${p} in ${name}`);
+  }
+}
+
+test('where the input has no normals, quads have those of the shape', async () => {
+  let n = 0;
+  const some = cubeObj(6).replace(/^f .*$/gm, (row) => (++n % 3 ? row : row.replace(/\/\d+( |$)/g, '$1'))); // prettier-ignore
+  put('some.obj', some);
+  for (const name of ['some-quads.obj', 'some-quads.ply', 'some-quads.glb']) {
+    good('quads', 'some.obj', '--creases', '--cells', '150', '-o', name);
+    await areNormalsOfTheShape(name);
+  }
+  good('param', 'some.obj', '-o', 'some-map.glb');
+  await areNormalsOfTheShape('some-map.glb');
+});
+
+test('a PLY whose normals are 0 gets those of the shape; what is left out is named', async () => {
+  const rows = cubeObj(6).split('\n');
+  const points = rows.filter((row) => row.startsWith('v ')).map((row) => row.split(' ').slice(1, 4).join(' ')); // prettier-ignore
+  const faces = rows.filter((row) => row.startsWith('f ')).map((row) => row.slice(2).split(' ').map((c) => parseInt(c) - 1).join(' ')); // prettier-ignore
+  put(
+    'zero.ply',
+    `ply
+format ascii 1.0
+element vertex ${points.length}
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property float nz
+property float quality
+element face ${faces.length}
+property list uchar int vertex_indices
+property int flags
+end_header
+${points.map((row) => `${row} 0 0 0 0.5`).join('\n')}
+${faces.map((row) => `3 ${row} 7`).join('\n')}
+`,
+  );
+  const { err } = good('quads', 'zero.ply', '--cells', '150', '-o', 'zero-quads.ply');
+  assert.match(err, sentenceOf('convert-others-lost', { names: 'vertex quality, face flags' }));
+  await areNormalsOfTheShape('zero-quads.ply');
+});
+
+test('where only some corners have uv, quads have them there, and a note counts the others', () => {
+  const some = cubeObj(6).replace(/^usemtl paint of face 5\n(f .*\n)*/gm, (part) => part.replace(/\/\d+\//g, '//')); // prettier-ignore
+  put('part.obj', some);
+  const { err } = good('quads', 'part.obj', '--creases', '--cells', '150', '-o', 'part-quads.obj');
+  const { v, vt, faces } = readObj(read('part-quads.obj'));
+  let without = 0;
+  for (const { corners } of faces) {
+    const [f] = facesWith(corners.map(([i]) => v[i].slice(0, 3)));
+    for (const [i, uv] of corners) {
+      assert.equal(uv < 0, f === 5);
+      without += uv < 0;
+      if (uv >= 0) assert.ok(isClose(vt[uv], uvOf(f, v[i].slice(0, 3)), 1e-12));
+    }
+  }
+  assert.ok(without > 0);
+  assert.match(err, sentenceOf('quads-uv-missing', { corners: without }));
+});
+
+test('materials of an OBJ and their pictures are copied to another folder; groups are named', () => {
+  put('cube.obj', cubeObj(6).replace('usemtl paint of face 3', 'g other\nusemtl paint of face 3').replace('usemtl', 'g one\nusemtl')); // prettier-ignore
+  put('paint/cube.mtl', 'newmtl paint of face 0\nmap_Kd wood.png\n');
+  put('wood.png', 'a picture');
+  put('elsewhere/empty.txt', '');
+  const { err } = good('quads', 'cube.obj', '--cells', '150', '-o', 'elsewhere/quads.obj');
+  assert.match(err, sentenceOf('convert-groups-joined'));
+  assert.equal(read('elsewhere/paint/cube.mtl'), read('paint/cube.mtl'));
+  assert.ok(existsSync(at('elsewhere/wood.png')));
 });

@@ -93,7 +93,8 @@ class Session {
   bool isAligned() const;  ///< every component, to the grid that the options asked for
   /// The cells of a result that is aligned in quad mode, as quads in an OBJ or PLY or, if `name` ends in .glb, as triangles,
   /// with the attributes of the input: every corner has what the input's triangle has at its point. Fails with kNoMap if the result is not aligned, with kUsage for another extension.
-  Result<QuadFile> quads(const std::string& name) const;
+  /// @param resolve  gives the images of a .gltf that a .glb takes in; may be empty: these stay outside
+  Result<QuadFile> quads(const std::string& name, const io::Resolver& resolve = {}) const;
 
   /// Whether write() can produce a file of this name, judged by its extension.
   /// @param isRefined  whether SolveOptions::refines is set: a refined surface is always written as OBJ

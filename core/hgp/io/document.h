@@ -83,6 +83,8 @@ class Document {
   /// @param partOf  the independent part of every triangle, −1 if it follows others; empty: found by connectivity
   virtual UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const = 0;
   UvMap asStored(int surface, const UvMap& map) const { return asStored(surface, map, {}); }
+  /// The uv of a file in which only some corners have any, −1 elsewhere; no set of the surface.
+  virtual std::optional<UvMap> incompleteUv(int) const { return std::nullopt; }
   /// The polygons that the triangles of a surface are cut from; {} if all of them are triangles.
   virtual PolygonsView polygons(int) const { return {}; }
 
@@ -104,7 +106,9 @@ class Document {
       int surface, const std::vector<std::array<int, 2>>& edges) const = 0;
 
   /// The same file, as a GLB, with triangles of these polygons in place of a surface's; kUnsupported in other formats.
-  virtual Result<Written> remeshed(int surface, const Remesh& remesh) const;
+  /// @param resolve  gives images that are side files; may be empty: these stay outside
+  virtual Result<Written> remeshed(int surface, const Remesh& remesh,
+                                   const Resolver& resolve) const;
 
   /// The same file with these edits of its faces; cones stored in it may be lost. In glTF, where vertices at
   /// equal positions are welded, copies are stored separately but welded again when the file is read; the other

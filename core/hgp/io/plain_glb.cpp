@@ -26,6 +26,18 @@ std::string plainQuoted(const std::string& text) {
   return out + "\"";
 }
 
+/// The normals of the triangles at each vertex together, weighted by area; not of length 1.
+std::vector<Vec3> shapeNormals(const MeshData& mesh) {
+  std::vector<Vec3> out(mesh.positions.size(), Vec3{});
+  const auto at = [&](int v) -> const Vec3& { return mesh.positions[static_cast<std::size_t>(v)]; };
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vec3 n = cross(subtract(at(j), at(i)), subtract(at(k), at(i)));
+    for (const int v : {i, j, k})
+      out[static_cast<std::size_t>(v)] = add(out[static_cast<std::size_t>(v)], n);
+  }
+  return out;
+}
+
 /// Builds the elements of a JSON array.
 struct PlainJsonList {
   std::string text;
@@ -172,8 +184,14 @@ class PlainGlbText {
 
   int addNormals(const PlainSurface& surface) {
     const std::size_t begin = data_.size();
-    for (const int n : normalOf_) {
-      Vec3 x = n >= 0 ? surface.normals[static_cast<std::size_t>(n)] : Vec3{0, 0, 1};
+    std::vector<Vec3> ofShape;
+    for (std::size_t i = 0; i < normalOf_.size(); ++i) {
+      const int n = normalOf_[i];
+      Vec3 x = n >= 0 ? surface.normals[static_cast<std::size_t>(n)] : Vec3{};
+      if (!(norm(x) > 0)) {
+        if (ofShape.empty()) ofShape = shapeNormals(surface.mesh);
+        x = ofShape[static_cast<std::size_t>(vertexOf_[i])];
+      }
       const double length = norm(x);
       if (!(length > 0)) x = {0, 0, 1};
       for (const double c : x) number(length > 0 ? c / length : c);

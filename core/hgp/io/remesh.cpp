@@ -9,11 +9,6 @@
 namespace hgp::io {
 namespace {
 
-Vec3 unitNormal(const Vec3& n) {
-  const double length = norm(n);
-  return length > 0 ? scaled(n, 1 / length) : Vec3{0, 0, 1};
-}
-
 /// Per corner of the new polygons the number of its blend of values that triangles have at their corners.
 std::vector<int> blendCorners(const Remesh& remesh, const std::vector<std::array<int, 3>>& corners,
                               BlendTable& table) {
@@ -22,6 +17,34 @@ std::vector<int> blendCorners(const Remesh& remesh, const std::vector<std::array
   for (const FacePoint& p : remesh.at)
     out.push_back(table.of(blendOf(corners[hgp::at(p.triangle)], p.weight)));
   return out;
+}
+
+/// The input's normals, and those of the shape at corners where it has none.
+void takeNormals(const PlainSurface& surface, const Remesh& remesh, PolygonAttributes& out) {
+  std::vector<std::array<int, 3>> given = surface.cornerNormal;
+  for (std::array<int, 3>& corners : given)
+    for (int& n : corners)
+      if (n >= 0 && !(norm(surface.normals[hgp::at(n)]) > 0)) n = -1;
+  BlendTable table;
+  out.cornerNormal = blendCorners(remesh, given, table);
+  std::vector<int> index, ofShape(remesh.normals.size(), -1);
+  const auto add = [&](const Vec3& n) {
+    out.normals.push_back(n);
+    return static_cast<int>(out.normals.size()) - 1;
+  };
+  for (const Blend& blend : table.blends()) {
+    const Vec3 n = blended(blend, surface.normals);
+    const double length = norm(n);
+    index.push_back(length > 0 ? add(scaled(n, 1 / length)) : -1);
+  }
+  for (std::size_t c = 0; c < out.cornerNormal.size(); ++c) {
+    int& n = out.cornerNormal[c];
+    if (n >= 0) n = index[hgp::at(n)];
+    const auto v = hgp::at(remesh.polygons.cornerVertex[c]);
+    if (n >= 0 || v >= ofShape.size()) continue;
+    if (ofShape[v] < 0) ofShape[v] = add(remesh.normals[v]);
+    n = ofShape[v];
+  }
 }
 
 }  // namespace
@@ -65,10 +88,7 @@ PolygonAttributes attributesAt(const PlainSurface& surface, const UvMap* uv, boo
     out.normals = remesh.normals;
     if (!out.normals.empty()) out.cornerNormal = remesh.polygons.cornerVertex;
   } else {
-    BlendTable table;
-    out.cornerNormal = blendCorners(remesh, surface.cornerNormal, table);
-    for (const Blend& blend : table.blends())
-      out.normals.push_back(unitNormal(blended(blend, surface.normals)));
+    takeNormals(surface, remesh, out);
   }
   if (!surface.colors.empty()) {
     std::vector<std::array<double, 4>> colors = surface.colors;

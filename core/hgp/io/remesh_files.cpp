@@ -43,7 +43,7 @@ std::string oneLine(std::string name) {
   return name;
 }
 
-/// One normal per vertex: the mean of those of its corners.
+/// One normal per vertex: the mean of those of its corners, or the first of them where these cancel.
 std::vector<Vec3> vertexNormals(const PolygonMesh& polygons, const Attributes& a) {
   std::vector<Vec3> out(polygons.positions.size(), Vec3{0, 0, 0});
   std::vector<int> first(out.size(), -1);
@@ -58,9 +58,9 @@ std::vector<Vec3> vertexNormals(const PolygonMesh& polygons, const Attributes& a
   }
   for (std::size_t v = 0; v < out.size(); ++v) {
     const double length = norm(out[v]);
-    out[v] = first[v] < 0 || !(length > 0) ? Vec3{0, 0, 1}
-             : isOne[v] != 0               ? a.normals[hgp::at(first[v])]
-                                           : scaled(out[v], 1 / length);
+    if (first[v] < 0) continue;
+    out[v] =
+        isOne[v] != 0 || !(length > 0) ? a.normals[hgp::at(first[v])] : scaled(out[v], 1 / length);
   }
   return out;
 }

@@ -14,7 +14,7 @@ bool isGltf(const io::Document& document) {
 /// The set that the input's textures most likely use: its first, or the one that hgp wrote if there is no other.
 std::optional<UvMap> uvOf(const io::Document& document, int surface) {
   const io::Surface& source = document.surfaces()[at(surface)];
-  if (source.uvSets.empty()) return std::nullopt;
+  if (source.uvSets.empty()) return document.incompleteUv(surface);
   const auto other = std::find_if(source.uvSets.begin(), source.uvSets.end(),
                                   [&](int set) { return set != source.ownUvSet; });
   return document.existingUv(surface,
@@ -56,9 +56,10 @@ io::FacePoint QuadsOnInput::onInput(const ModelComponent& component, FaceId f,
 PerEdge<char> QuadsOnInput::seamsOf(const ModelComponent& component) const {
   const TriMesh& mesh = component.mesh;
   PerEdge<char> out(at(mesh.edgeCount()), 0);
-  const auto uvAt = [&](HalfedgeId h) {
+  const auto uvAt = [&](HalfedgeId h) -> std::optional<Vec2> {
     const int corner = component.corner[h].i;
-    return uv_->uv[at(uv_->cornerUv[at(corner / 3)][at(corner % 3)])];
+    const int i = uv_->cornerUv[at(corner / 3)][at(corner % 3)];
+    return i < 0 ? std::nullopt : std::optional(uv_->uv[at(i)]);
   };
   const auto materialAt = [&](HalfedgeId h) {
     return plain_.triangleMaterial[at(component.corner[h].i / 3)];
@@ -96,29 +97,46 @@ void QuadsOnInput::add(const ModelComponent& component, const QuadMesh& quads) {
   }
 }
 
-QuadsOnInput::File QuadsOnInput::file(std::string_view format, const std::string& generator) const {
+QuadsOnInput::File QuadsOnInput::file(std::string_view format, const std::string& generator,
+                                      const io::Resolver& resolve) const {
+  File out;
+  if (acrossSeams_ > 0) out.notes.push_back(Note("quads-across-seams", {{"quads", acrossSeams_}}));
   if (format == "glb" && isGltf(document_)) {
-    if (Result<io::Written> whole = document_.remeshed(surface_, remesh_))
-      return {std::move(whole->files.front().bytes), std::move(whole->notes)};
+    Result<io::Written> whole = document_.remeshed(surface_, remesh_, resolve);
+    if (whole) {
+      out.bytes = std::move(whole->files.front().bytes);
+      addNotes(out.notes, std::move(whole->notes));
+      return out;
+    }
+    out.notes.push_back(Note("quads-mesh-alone", {{"why", whole.error().message}}));
   }
   const io::PolygonAttributes attributes =
       io::attributesAt(plain_, uv_ ? &*uv_ : nullptr, isGltf(document_), remesh_);
   const io::PolygonMesh& polygons = remesh_.polygons;
-  return {format == "glb"   ? io::polygonsAsGlb(polygons, attributes, generator)
-          : format == "ply" ? io::polygonsAsPly(polygons, attributes, generator)
-                            : io::polygonsAsObj(polygons, attributes, generator),
-          notKept(format)};
+  out.bytes = format == "glb"   ? io::polygonsAsGlb(polygons, attributes, generator)
+              : format == "ply" ? io::polygonsAsPly(polygons, attributes, generator)
+                                : io::polygonsAsObj(polygons, attributes, generator);
+  const auto without = std::count(attributes.cornerUv.begin(), attributes.cornerUv.end(), -1);
+  if (without > 0)
+    out.notes.push_back(
+        Note("quads-uv-missing", {{"corners", without}, {"zero", format == "obj" ? 0 : 1}}));
+  addNotes(out.notes, notKept(format));
+  return out;
 }
 
 Notes QuadsOnInput::notKept(std::string_view format) const {
   Notes out;
+  const auto has = [](const Note& note, std::initializer_list<const char*> codes) {
+    return std::any_of(codes.begin(), codes.end(),
+                       [&](const char* code) { return note.code == code; });
+  };
   for (const Note& lost : lost_) {
-    const bool isOfMaterials = lost.code == "convert-materials-lost";
+    const bool isOfMaterials = has(lost, {"convert-materials-lost"});
     if (isOfMaterials && format == "ply") {
       out.push_back(Note("quads-no-materials"));
-    } else if (isOfMaterials
-                   ? isGltf(document_) || format == "glb"
-                   : lost.code == "convert-rest-pose" || lost.code == "convert-morphs-lost") {
+    } else if (isOfMaterials ? isGltf(document_) || format == "glb"
+                             : !has(lost, {"convert-uv-lost", "convert-polygons-cut",
+                                           "convert-unused-placed"})) {
       out.push_back(lost);
       out.back().values.push_back({"from", document_.format()});
       out.back().values.push_back({"to", std::string(format)});

@@ -23,11 +23,13 @@ class QuadsOnInput {
 
   /// A file with what the input has, as OBJ, PLY or GLB ("obj", "ply", "glb"), and notes on what of it is not kept. A glTF as GLB keeps
   /// everything else of the file, in place of the mesh that was solved.
+  /// @param resolve  gives images of a .gltf; may be empty
   struct File {
     io::Bytes bytes;
     Notes notes;
   };
-  File file(std::string_view format, const std::string& generator) const;
+  File file(std::string_view format, const std::string& generator,
+            const io::Resolver& resolve) const;
 
  private:
   PerEdge<char> seamsOf(const ModelComponent& component) const;

@@ -55,7 +55,7 @@ Status canWriteQuads(const std::string& name) {
       {}};
 }
 
-Result<QuadFile> Session::quads(const std::string& name) const {
+Result<QuadFile> Session::quads(const std::string& name, const io::Resolver& resolve) const {
   return guarded([&]() -> Result<QuadFile> {
     if (Status possible = canWriteQuads(name); !possible) return possible.error();
     if (!hasResult()) return Failure{ErrorCode::kUsage, "quads", "there is no result yet", {}};
@@ -84,12 +84,10 @@ Result<QuadFile> Session::quads(const std::string& name) const {
       all.add(component, *part);
     }
     const std::string format = formatOf(name);
-    QuadsOnInput::File file = all.file(format, std::string("hgp ") + version());
+    QuadsOnInput::File file = all.file(format, std::string("hgp ") + version(), resolve);
     out.bytes = std::move(file.bytes);
     out.notes = std::move(file.notes);
     out.acrossSeams = all.acrossSeams();
-    if (out.acrossSeams > 0)
-      out.notes.push_back(Note("quads-across-seams", {{"quads", out.acrossSeams}}));
     return out;
   });
 }

@@ -39,11 +39,12 @@ class GltfDocument : public Document {
   Result<DocumentPtr> refined(int surface,
                               const std::vector<std::array<int, 2>>& edges) const override;
   Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
-  Result<Written> remeshed(int surface, const Remesh& remesh) const override;
+  Result<Written> remeshed(int surface, const Remesh& remesh,
+                           const Resolver& resolve) const override;
 
  private:
-  /// Side files that a patch wrote, and else those of the file.
-  Resolver resolverWith(std::vector<OutputFile> sides) const;
+  /// Side files that a patch wrote, and else those of the file; images are among the others.
+  Resolver resolverWith(std::vector<OutputFile> sides, Resolver others) const;
   WriteOptions likeThis() const;
   Status storeApart(Written& written, const WriteOptions& options) const;
   /// The uv set with v = top − stored v; empty if a triangle primitive does not have it.

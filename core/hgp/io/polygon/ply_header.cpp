@@ -56,7 +56,8 @@ bool takeProperty(text::WordReader& words, PlyHeader& header) {
     type = words.next();
   }
   if (!typeOf(type, property.type)) return false;
-  property.role = roleOf(words.next());
+  property.name = words.next();
+  property.role = roleOf(property.name);
   header.elements.back().properties.push_back(property);
   return true;
 }

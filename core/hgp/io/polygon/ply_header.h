@@ -33,6 +33,7 @@ enum class PlyRole {
 enum class PlyLineEnd { kNew, kOld };  ///< "\n" or "\r\n"; "\r" alone
 
 struct PlyProperty {
+  std::string name;
   PlyRole role = PlyRole::kNone;
   PlyType type = PlyType::kFloat32;
   bool isList = false;

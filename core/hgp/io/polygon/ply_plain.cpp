@@ -43,6 +43,33 @@ void takeExtras(const PlyExtras& extras, const PlyRow& row, VertexExtras& out) {
   out.colors.push_back(color);
 }
 
+/// Whether VertexExtras, uv or the mesh have this property.
+bool isKept(const PlyElement& element, const PlyExtras& extras, PlyRole role) {
+  if (element.name != "vertex") return role == PlyRole::kCorners || role == PlyRole::kUvList;
+  if (role >= PlyRole::kRed) return extras.hasColors();
+  if (role >= PlyRole::kNormalX) return extras.hasNormals();
+  return role != PlyRole::kNone;
+}
+
+/// Names of what no other format has, such as "vertex quality".
+std::string othersOf(const PlyHeader& header) {
+  std::string out;
+  const auto add = [&](const std::string& name) { out += (out.empty() ? "" : ", ") + name; };
+  for (const PlyElement& element : header.elements) {
+    if (element.count == 0) continue;
+    const PlyExtras extras(element);
+    if (element.name != "vertex" && element.name != "face" && element.name != "tristrips") {
+      add(element.name);
+      continue;
+    }
+    for (const PlyProperty& property : element.properties)
+      if (!isKept(element, extras, property.role)) add(element.name + " " + property.name);
+  }
+  for (char& c : out)
+    if (c < ' ' || c > '~') c = '?';
+  return out;
+}
+
 }  // namespace
 
 VertexExtras PlyDocument::extras() const {
@@ -71,6 +98,8 @@ Result<PlainFile> PlyDocument::plain(int surface) const {
   out.normals = std::move(found.normals);
   out.colors = std::move(found.colors);
   if (!out.normals.empty()) out.cornerNormal = out.mesh.triangles;
+  if (std::string others = othersOf(header_); !others.empty())
+    file->lost.push_back(Note("convert-others-lost", {{"names", std::move(others)}}));
   return file;
 }
 

@@ -68,8 +68,7 @@ Status PolygonDocument::take(PolygonFile file) {
   return Done{};
 }
 
-std::optional<UvMap> PolygonDocument::existingUv(int surface, int set) const {
-  if (surface != 0 || set != 0 || surfaces_[0].uvSets.empty()) return std::nullopt;
+UvMap PolygonDocument::storedUv() const {
   UvMap map;
   map.uv = uv_;
   map.cornerUv.resize(static_cast<std::size_t>(polygons_.triangleCount()));
@@ -79,8 +78,19 @@ std::optional<UvMap> PolygonDocument::existingUv(int surface, int set) const {
       map.cornerUv[t][k] = cornerUv_[c];
     }
   }
+  return map;
+}
+
+std::optional<UvMap> PolygonDocument::existingUv(int surface, int set) const {
+  if (surface != 0 || set != 0 || surfaces_[0].uvSets.empty()) return std::nullopt;
+  UvMap map = storedUv();
   if (uv_.size() >= cornerUv_.size()) joinEqualCopies(surfaces_[0].mesh, map);  // one per corner
   return map;
+}
+
+std::optional<UvMap> PolygonDocument::incompleteUv(int) const {
+  if (cornerUv_.empty() || !surfaces_[0].uvSets.empty()) return std::nullopt;
+  return storedUv();
 }
 
 UvMap PolygonDocument::asStored(int, const UvMap& map, const std::vector<int>& partOf) const {

@@ -26,6 +26,7 @@ class PolygonDocument : public Document {
   const std::vector<Surface>& surfaces() const override { return surfaces_; }
   UvPrecision uvPrecision() const override { return UvPrecision::kFloat64; }
   std::optional<UvMap> existingUv(int surface, int set) const override;
+  std::optional<UvMap> incompleteUv(int surface) const override;
   using Document::asStored;
   UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const override;
   PolygonsView polygons(int surface) const override;
@@ -45,6 +46,7 @@ class PolygonDocument : public Document {
   Status take(PolygonFile file);
   /// The same format with these polygons and the old uv, interpolated.
   Result<DocumentPtr> rewritten(RefinedPolygons refined) const;
+  UvMap storedUv() const;
   /// uv index per polygon corner of a map that keeps polygons whole; empty when it does not fit.
   std::vector<int> polygonCornerUv(const UvMap& map) const;
 

@@ -78,6 +78,7 @@ export const corePhrases = {
     'from {from} to {to}: {vertices|vertex without a colour is white|vertices without a colour are white}',
   'convert-lines-lost':
     'from {from} to {to}: {lines|line of lines or points (l, p) is|lines of lines or points (l, p) are} left out',
+  'convert-others-lost': 'from {from} to {to}: left out: {names}',
   'convert-groups-joined': 'from {from} to {to}: groups (o, g) become one mesh',
   'repair-none': 'nothing was repaired: a face names a vertex that does not exist',
   'repair-turned': 'orient: {faces|face} turned over',
@@ -236,6 +237,11 @@ export const corePhrases = {
   'write-file-refused': '{why}; it is not copied, and the reference to it is kept',
   'quads-across-seams':
     "{quads|quad crosses|quads cross} a seam of the input's texture coordinates or the border of a material: their corners have what the surface has there, but not what is between",
+  'quads-nearest':
+    "{corners|corner of these lies|corners of these lie} on triangles of other primitives only, and {corners#has|have} what the quad's own primitive has nearest to {corners#it|them}",
+  'quads-mesh-alone': 'the rest of the file is not kept: {why}',
+  'quads-uv-missing':
+    '{corners|corner of quads has|corners of quads have} no texture coordinates[zero: (0 in the file)], as the input has none there',
   'quads-no-materials': 'materials are not kept: PLY has no place for them',
   'repair-by-hand': 'No repair removes this; edit the mesh there',
 } as const;

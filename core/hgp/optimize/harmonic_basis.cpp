@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "hgp/optimize/harmonic_rows.h"
 #include "hgp/optimize/program_terms.h"
@@ -38,7 +39,7 @@ SparseRows rowsWithTriangles(const SeamlessSystem& system, const std::vector<cha
   const ProgramInput in{system, noFrames, options};
   const HeldUnknowns none{std::vector<char>(static_cast<std::size_t>(system.unknowns.count), 0),
                           {}};
-  std::vector<Eigen::Triplet<std::complex<double>>> zeros;
+  std::vector<std::array<int, 2>> zeros;
   FaceRows rows;
   for (FaceId f : system.mesh.faces()) {
     faceRows(in, none, f, rows);
@@ -52,11 +53,9 @@ SparseRows rowsWithTriangles(const SeamlessSystem& system, const std::vector<cha
     for (int a : unknowns)
       for (int b : unknowns)
         if (hasRow[static_cast<std::size_t>(a)] || hasRow[static_cast<std::size_t>(b)])
-          zeros.emplace_back(a, b, 0.0);
+          zeros.push_back({a, b});
   }
-  SparseRows pattern(system.unknowns.count, system.unknowns.count);
-  pattern.setFromTriplets(zeros.begin(), zeros.end());
-  return squareRows(system) + pattern;
+  return squareRows(system, std::move(zeros));
 }
 
 /// Rounding leaves less of a row that follows from others; weights of a row sum to 1.
@@ -76,7 +75,6 @@ std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& s
                                                          const PerVertex<double>& u,
                                                          const linalg::SeparatorTree& tree) {
   auto basis = std::make_shared<HarmonicBasis>();
-  basis->rows_ = std::make_shared<std::map<int, Eigen::RowVectorXcd>>();
   std::vector<char> hasRow = unknownsWithRows(system);
   const int held = heldUnknown(system, hasRow, u);
   if (held < 0) return nullptr;
@@ -92,6 +90,9 @@ std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& s
     return nullptr;
   if (isHeldByRow && !basis->fulfilsRowOf(held)) return nullptr;
   basis->restrictDistortion(system, u);
+  const int size = basis->count();
+  basis->rows_ = std::make_unique<linalg::SchurExtension>(
+      basis->lu_, basis->keptOf(Eigen::MatrixXcd::Identity(size, size)));
   basis->multiplyAdds_ = 4.0 * (1.0 + kFormShare) * basis->lu_.cost().multiplyAdds;
   return basis;
 }
@@ -155,20 +156,7 @@ Eigen::VectorXcd HarmonicBasis::expand(const Eigen::VectorXcd& y) const {
 }
 
 Eigen::MatrixXcd HarmonicBasis::rowsOf(const std::vector<int>& unknowns) const {
-  const auto size = static_cast<Eigen::Index>(free_.size());
-  std::vector<int> missing;
-  for (const int unknown : unknowns)
-    if (!rows_->contains(unknown)) missing.push_back(unknown);
-  if (!missing.empty()) {
-    const Eigen::MatrixXcd rows =
-        lu_.extend(keptOf(Eigen::MatrixXcd::Identity(size, size)), missing);
-    for (std::size_t i = 0; i < missing.size(); ++i)
-      (*rows_)[missing[i]] = rows.row(static_cast<Eigen::Index>(i));
-  }
-  Eigen::MatrixXcd result(static_cast<Eigen::Index>(unknowns.size()), size);
-  for (std::size_t i = 0; i < unknowns.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) = rows_->at(unknowns[i]);
-  return result;
+  return rows_->rows(unknowns);
 }
 
 }  // namespace hgp

@@ -2,7 +2,6 @@
 // parametrization: programs over it have few unknowns and exactly harmonic maps.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -33,7 +32,7 @@ class HarmonicBasis {
   int count() const { return static_cast<int>(free_.size()); }  ///< of y
   /// All unknowns from y.
   Eigen::VectorXcd expand(const Eigen::VectorXcd& y) const;
-  /// Some unknowns from y: x = B y, |unknowns| × count(). Rows are computed once; not to be called by two threads.
+  /// Some unknowns from y: x = B y, |unknowns| × count(). Not to be called by two threads.
   Eigen::MatrixXcd rowsOf(const std::vector<int>& unknowns) const;
   /// The distortion term of all faces (distortionRows, δ = 1) in terms of y.
   const linalg::QuadraticForm& distortion() const { return distortion_; }
@@ -47,7 +46,7 @@ class HarmonicBasis {
   std::vector<int> kept_;  // unknowns without a row, ascending
   std::vector<int> free_;  // y, as indices into kept_: all but the one that is held
   linalg::SchurLu lu_;
-  std::shared_ptr<std::map<int, Eigen::RowVectorXcd>> rows_;  // that rowsOf() has computed
+  std::unique_ptr<linalg::SchurExtension> rows_;  // of rowsOf()
   linalg::QuadraticForm distortion_;
   double multiplyAdds_ = 0.0;
 };

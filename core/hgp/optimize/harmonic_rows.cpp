@@ -1,6 +1,6 @@
 #include "hgp/optimize/harmonic_rows.h"
 
-#include <numeric>
+#include <algorithm>
 
 #include "hgp/base/check.h"
 
@@ -16,18 +16,25 @@ std::vector<char> unknownsWithRows(const SeamlessSystem& system) {
   return hasRow;
 }
 
-SparseRows squareRows(const SeamlessSystem& system) {
+SparseRows squareRows(const SeamlessSystem& system, std::vector<std::array<int, 2>> zeros) {
   const SparseRows& rows = system.harmonic.rows;
-  std::vector<int> start(static_cast<std::size_t>(system.unknowns.count) + 1, 0);
-  for (std::size_t r = 0; r < system.harmonic.rowVertex.size(); ++r) {
-    const int unknown = system.unknowns.vertexUnknown[system.harmonic.rowVertex[r]];
-    start[static_cast<std::size_t>(unknown) + 1] =
-        static_cast<int>(rows.outerIndexPtr()[r + 1] - rows.outerIndexPtr()[r]);
+  std::vector<int> rowOf(static_cast<std::size_t>(system.unknowns.count), -1);
+  for (std::size_t r = 0; r < system.harmonic.rowVertex.size(); ++r)
+    rowOf[static_cast<std::size_t>(system.unknowns.vertexUnknown[system.harmonic.rowVertex[r]])] =
+        static_cast<int>(r);
+  std::sort(zeros.begin(), zeros.end());
+  auto zero = zeros.begin();
+  RowBuilder square(system.unknowns.count, system.unknowns.count,
+                    static_cast<std::size_t>(rows.nonZeros()) + zeros.size());
+  for (int unknown = 0; unknown < system.unknowns.count; ++unknown) {
+    const int r = rowOf[static_cast<std::size_t>(unknown)];
+    if (r >= 0)
+      for (SparseRows::InnerIterator it(rows, r); it; ++it)
+        square.add(static_cast<int>(it.col()), it.value());
+    for (; zero != zeros.end() && (*zero)[0] == unknown; ++zero) square.add((*zero)[1], 0.0);
+    square.endRow(-1.0);
   }
-  // Unknowns ascend with their vertices, so that the entries stay sorted.
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  return Eigen::Map<const SparseRows>(system.unknowns.count, system.unknowns.count, rows.nonZeros(),
-                                      start.data(), rows.innerIndexPtr(), rows.valuePtr());
+  return square.take();
 }
 
 linalg::SeparatorTree unknownTree(const SeamlessSystem& system,

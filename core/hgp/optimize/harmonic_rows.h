@@ -1,6 +1,9 @@
 // The harmonic rows as a square matrix, and trees of unknowns.  Role: what forms hand to SchurLu and PartialCholesky.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "hgp/linalg/ordering/ordering.h"
 #include "hgp/system/seamless_system.h"
 
@@ -10,7 +13,8 @@ namespace hgp {
 std::vector<char> unknownsWithRows(const SeamlessSystem& system);
 
 /// count × count, each row at the index of its vertex' unknown; the other rows are empty.
-SparseRows squareRows(const SeamlessSystem& system);
+/// @param zeros  row and column of entries that are stored whatever their value
+SparseRows squareRows(const SeamlessSystem& system, std::vector<std::array<int, 2>> zeros = {});
 
 /// The vertices' tree over unknowns. Those that are not vertices are appended to its root.
 linalg::SeparatorTree unknownTree(const SeamlessSystem& system,

@@ -9,8 +9,7 @@ namespace hgp {
 RowBuilder::RowBuilder(int columns, int expectedRows, std::size_t expectedEntries)
     : index_(static_cast<std::size_t>(columns), 0) {
   start_.reserve(static_cast<std::size_t>(expectedRows) + 1);
-  column_.reserve(expectedEntries);
-  value_.reserve(expectedEntries);
+  entries_.reserve(static_cast<Eigen::Index>(expectedEntries));
 }
 
 void RowBuilder::add(int column, const Complex& value) {
@@ -29,21 +28,18 @@ void RowBuilder::endRow(double noise) {
             [](const Term& a, const Term& b) { return a.column < b.column; });
   for (const Term& t : row_) {
     if (!(portable::abs(t.value) > noise)) continue;
-    column_.push_back(t.column);
-    value_.push_back(t.value);
+    entries_.append(t.value, t.column);
   }
-  start_.push_back(static_cast<int>(column_.size()));
+  start_.push_back(static_cast<int>(entries_.size()));
   row_.clear();
 }
 
 SparseRows RowBuilder::take() {
-  const auto count = static_cast<Eigen::Index>(column_.size());
-  SparseRows rows = Eigen::Map<const SparseRows>(static_cast<Eigen::Index>(start_.size()) - 1,
-                                                 static_cast<Eigen::Index>(index_.size()), count,
-                                                 start_.data(), column_.data(), value_.data());
+  SparseRows rows(static_cast<Eigen::Index>(start_.size()) - 1,
+                  static_cast<Eigen::Index>(index_.size()));
+  std::copy(start_.begin(), start_.end(), rows.outerIndexPtr());
+  rows.data().swap(entries_);
   start_.assign(1, 0);
-  column_ = {};
-  value_ = {};
   return rows;
 }
 

@@ -8,7 +8,20 @@
 
 namespace hgp {
 
-using SparseRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
+/// Moved without a copy, which Eigen 3.4 makes of a sparse matrix.
+class SparseRows : public Eigen::SparseMatrix<Complex, Eigen::RowMajor> {
+ public:
+  using Matrix = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
+  using Matrix::Matrix;
+  SparseRows() = default;
+  SparseRows(const SparseRows&) = default;
+  SparseRows& operator=(const SparseRows&) = default;
+  SparseRows(SparseRows&& other) noexcept { swap(other); }
+  SparseRows& operator=(SparseRows&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+};
 
 /// Terms with the same column are added in the order of the calls; the columns of each finished row ascend.
 class RowBuilder {
@@ -16,7 +29,7 @@ class RowBuilder {
   RowBuilder(int columns, int expectedRows, std::size_t expectedEntries);
 
   void add(int column, const Complex& value);
-  /// Ends the row; sums with an absolute value of at most `noise` are left out.
+  /// Ends the row; sums with an absolute value of at most `noise` are left out (none if it is negative).
   void endRow(double noise);
   /// All rows so far; leaves the builder empty.
   SparseRows take();
@@ -28,8 +41,8 @@ class RowBuilder {
   };
   std::vector<int> index_;  // column → index into row_, valid if that entry has this column
   std::vector<Term> row_;
-  std::vector<int> start_{0}, column_;
-  std::vector<Complex> value_;
+  std::vector<int> start_{0};
+  SparseRows::Storage entries_;
 };
 
 }  // namespace hgp

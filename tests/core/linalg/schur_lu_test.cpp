@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include "hgp/linalg/factor/schur_extension.h"
 #include "matrices.h"
 
 namespace hgp::linalg {
@@ -82,9 +83,16 @@ TEST(SchurLu, ExtensionToSomeUnknownsIsTheSame) {
     SchurLu lu;
     ASSERT_TRUE(lu.build(A, kept, nestedDissection(graph, {.leafSize = 25})).ok);
     const Eigen::MatrixXcd xk = Eigen::MatrixXcd::Random(static_cast<int>(kept.size()), 3);
-    const Eigen::MatrixXcd all = lu.extend(xk), some = lu.extend(xk, wanted);
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      EXPECT_EQ(all.row(wanted[i]), some.row(static_cast<int>(i)));
+    const Eigen::MatrixXcd all = lu.extend(xk);
+    SchurExtension extension(lu, xk);
+    // Few first, so that later calls find some nodes visited and others not; kept unknowns are given.
+    const std::vector<std::vector<int>> calls = {{wanted.back()}, {}, kept, wanted, wanted};
+    for (const std::vector<int>& unknowns : calls) {
+      const Eigen::MatrixXcd some = extension.rows(unknowns);
+      ASSERT_EQ(some.rows(), static_cast<int>(unknowns.size()));
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
+        EXPECT_EQ(all.row(unknowns[i]), some.row(static_cast<int>(i)));
+    }
   }
 }
 

@@ -116,7 +116,7 @@ TEST(Threads, SchurComplementsExtensionsAndFormsAreTheSame) {
         SchurLu lu;
         EXPECT_TRUE(lu.build(A, kept, tree).ok);
         const QuadraticForm form = lu.restrict(elements);
-        const Eigen::MatrixXcd all = lu.extend(y), some = lu.extend(y, wanted);
+        const Eigen::MatrixXcd all = lu.extend(y), some = SchurExtension(lu, y).rows(wanted);
         Eigen::VectorXcd joined(lu.schur().size() + form.H.size() + form.c.size() + all.size() +
                                 some.size());
         joined << lu.schur().reshaped(), form.H.reshaped(), form.c, all.reshaped(), some.reshaped();

@@ -4,7 +4,6 @@
 #include "hgp/base/check.h"
 #include "hgp/base/parallel.h"
 #include "hgp/base/portable_math.h"
-#include "hgp/linalg/factor/panel_solve.h"
 #include "hgp/linalg/factor/schur_lu_state.h"
 #include "hgp/linalg/factor/times_adjoint.h"
 
@@ -214,82 +213,6 @@ const Eigen::MatrixXcd& SchurLu::schur() const { return state_->schur; }
 
 Eigen::MatrixXcd SchurLu::gram(const Eigen::VectorXd& weight) const {
   return timesAdjoint(Eigen::MatrixXcd((weight.asDiagonal() * state_->schur).adjoint()));
-}
-
-/// Nodes that hold one of the unknowns, and all their ancestors.
-std::vector<char> SchurLu::State::nodesOf(const std::vector<int>& unknowns) const {
-  std::vector<char> isPosition(symbolic.order.size(), 0);
-  for (const int unknown : unknowns) isPosition[symbolic.position[unknown]] = 1;
-  std::vector<char> isNeeded(static_cast<std::size_t>(symbolic.nodeCount()), 0);
-  for (int t = 0; t < symbolic.nodeCount(); ++t) {
-    for (int k = symbolic.nodeStart[t]; k < symbolic.nodeStart[t + 1]; ++k)
-      isNeeded[t] |= isPosition[k];
-    if (isNeeded[t] && symbolic.parent[t] >= 0) isNeeded[symbolic.parent[t]] = 1;
-  }
-  return isNeeded;
-}
-
-void SchurLu::State::backward(int t, Eigen::MatrixXcd& x) const {
-  const int s = symbolic.pivots(t), r = symbolic.rowCount(t);
-  const Panel<Complex> U{panel(t), s + r, s};
-  const auto first = symbolic.nodeStart[t];
-  std::vector<FourComplex> four(static_cast<std::size_t>(s) + r, FourComplex{});
-  Eigen::Index done = 0;
-  for (; done + 4 <= x.cols(); done += 4) {
-    std::fill(four.begin(), four.begin() + s, FourComplex{});
-    for (int c = 0; c < 4; ++c)
-      for (int i = 0; i < r; ++i)
-        four[static_cast<std::size_t>(s) + i].set(c, x(symbolic.rowsOf(t)[i], done + c));
-    U.backward(four.data());
-    for (int c = 0; c < 4; ++c)
-      for (int i = 0; i < s; ++i)
-        x(first + i, done + c) = {four[static_cast<std::size_t>(i)].re[c],
-                                  four[static_cast<std::size_t>(i)].im[c]};
-  }
-  std::vector<Complex> w;
-  for (Eigen::Index c = done; c < x.cols(); ++c) {
-    w.assign(static_cast<std::size_t>(s), 0.0);
-    for (int i = 0; i < r; ++i) w.push_back(x(symbolic.rowsOf(t)[i], c));
-    U.backward(w.data());
-    std::copy(w.begin(), w.begin() + s, &x(first, c));
-  }
-}
-
-void SchurLu::State::backwardAll(const std::vector<char>& isNeeded, Eigen::MatrixXcd& x) const {
-  std::vector<double> times(isNeeded.size(), -1.0);
-  for (int t = 0; t < symbolic.nodeCount(); ++t) {
-    if (symbolic.dynamicNode[t] || !isNeeded[t]) continue;
-    const double entries = 1.0 * symbolic.pivots(t) * (symbolic.pivots(t) + symbolic.rowCount(t));
-    times[t] = static_cast<double>(x.cols()) * (20.0 + 2.0 * entries);
-  }
-  ForestWork(symbolic.parent, times).descend([&](int t, int) { backward(t, x); });
-}
-
-Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept,
-                                 const std::vector<int>& wanted) const {
-  const SymbolicFactor& f = state_->symbolic;
-  const std::vector<char> isNeeded = state_->nodesOf(wanted);
-  Eigen::MatrixXcd x(f.size(), xKept.cols());
-  for (int k = 0; k < f.size(); ++k)
-    if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
-  state_->backwardAll(isNeeded, x);
-  Eigen::MatrixXcd result(static_cast<Eigen::Index>(wanted.size()), x.cols());
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) = x.row(f.position[wanted[i]]);
-  return result;
-}
-
-Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept) const {
-  const SymbolicFactor& f = state_->symbolic;
-  HGP_CHECK(xKept.rows() == static_cast<int>(state_->kept.size()), "%d rows for %d kept unknowns",
-            static_cast<int>(xKept.rows()), static_cast<int>(state_->kept.size()));
-  Eigen::MatrixXcd x(f.size(), xKept.cols());
-  for (int k = 0; k < f.size(); ++k)
-    if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
-  state_->backwardAll(std::vector<char>(static_cast<std::size_t>(f.nodeCount()), 1), x);
-  Eigen::MatrixXcd result(f.size(), x.cols());
-  for (int k = 0; k < f.size(); ++k) result.row(f.order[k]) = x.row(k);
-  return result;
 }
 
 }  // namespace hgp::linalg

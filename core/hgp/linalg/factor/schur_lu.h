@@ -68,16 +68,15 @@ class SchurLu {
   const Eigen::MatrixXcd& schur() const;
   /// Sᴴ D² S with D = diag(weight) over the kept rows; only the lower triangle is defined.
   Eigen::MatrixXcd gram(const Eigen::VectorXd& weight) const;
-  /// All n unknowns from the kept ones; kept.size() × any columns.
+  /// All n unknowns from the kept ones; kept.size() × any columns. Of some unknowns: SchurExtension.
   Eigen::MatrixXcd extend(const Eigen::MatrixXcd& xKept) const;
-  /// The same for these unknowns only, in their order; only their part of the tree is visited.
-  Eigen::MatrixXcd extend(const Eigen::MatrixXcd& xKept, const std::vector<int>& wanted) const;
   /// xᴴ H x + 2 Re(cᴴ x) in terms of the kept unknowns, x = extend(x_k). Costs about three times what build() did.
   QuadraticForm restrict(const FormElements& elements) const;
 
   struct State;  // of the files that implement this class
 
  private:
+  friend class SchurExtension;
   std::unique_ptr<State> state_;
 };
 

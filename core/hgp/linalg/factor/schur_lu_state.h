@@ -44,12 +44,6 @@ struct SchurLu::State {
   std::complex<double>* panel(int t) const {
     return reinterpret_cast<std::complex<double>*>(panels.get()) + panelStart[t];
   }
-  /// Nodes that hold one of the unknowns, and all their ancestors.
-  std::vector<char> nodesOf(const std::vector<int>& unknowns) const;
-  /// x at the pivots of t from x at its rows; x by position.
-  void backward(int t, Eigen::MatrixXcd& x) const;
-  /// The same at the needed nodes that are eliminated, from the top.
-  void backwardAll(const std::vector<char>& isNeeded, Eigen::MatrixXcd& x) const;
   void layOut();
   FactorStatus eliminate(const SparseRows& A, const SparseColumns& columns);
   int eliminateNode(int t, const SparseRows& A, const SparseColumns& columns,

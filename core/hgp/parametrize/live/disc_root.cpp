@@ -95,9 +95,9 @@ SparseRows DragDisc::outerRows() const {
     }
   }
   for (; row < count; ++row) start[row + 1] = static_cast<int>(column.size());
-  return Eigen::Map<const SparseRows>(setup_.unknowns.count, setup_.unknowns.count,
-                                      static_cast<Eigen::Index>(column.size()), start.data(),
-                                      column.data(), value.data());
+  return Eigen::Map<const SparseRows::Matrix>(setup_.unknowns.count, setup_.unknowns.count,
+                                              static_cast<Eigen::Index>(column.size()),
+                                              start.data(), column.data(), value.data());
 }
 
 bool DragDisc::factor(const Eigen::SparseMatrix<Complex>& H, const linalg::SeparatorTree& tree) {

@@ -134,7 +134,9 @@ class Table {
                     "lines")
         ->option_text("FILE");
     repeatable(sub, "--cone", words_.cone, "V:K",
-               "A cone of angle K·360°/q at vertex V (from 0); repeatable");
+               "A cone of angle K·360°/q at vertex V (from 0), or along features a corner of the "
+               "boundary; "
+               "repeatable");
     repeatable(sub, "--turning", words_.turning, "L:J",
                "Boundary loop L turns by J·360°/q; repeatable");
     repeatable(sub, "--handle", words_.handle, "G:R",

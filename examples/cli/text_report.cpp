@@ -292,7 +292,7 @@ std::string checkText(const std::string& source, const Style& style) {
     std::string line =
         c.contains("error") ? "refused: " + toldText(c["error"])
         : budget.is_null()
-            ? std::string("cones are chosen automatically")
+            ? std::string(c["automatic"] ? "cones are chosen automatically" : "along features")
             : formatText(
                   "Σ(q − k) + Σl = %lld, need %lld (q = %lld, genus %lld, "
                   "%lld loops); %lld cones, %lld loops open",

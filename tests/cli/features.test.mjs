@@ -325,6 +325,8 @@ test('a disk becomes a rectangle, with corners that are chosen or given', () => 
   good('param', 'sheet.obj', '--boundary', 'rectangle', '-o', 'chosen.obj', '--json', 'chosen.json'); // prettier-ignore
   assert.deepEqual(problems('hgp-report', JSON.parse(read('chosen.json'))), []);
   expectRectangle('chosen.obj', { m, n }, [0, m, last - m, last]);
+  const told = JSON.parse(read('chosen.json')).cones.cones.map(({ vertex, k }) => [vertex, k]);
+  assert.deepEqual(told, [[0, 1], [m, 1], [last - m, 1], [last, 1]]); // prettier-ignore
   const given = [4, 2 * (m + 1), m, last - 3];
   const cones = given.flatMap((v) => ['--cone', `${v}:1`]);
   good('param', 'sheet.obj', '--boundary', 'rectangle', cones, '-o', 'given.obj');
@@ -336,6 +338,10 @@ test('a disk becomes a rectangle, with corners that are chosen or given', () => 
     given.sort((a, b) => a - b),
   );
   assert.ok(dirichletOf('better.obj') < dirichletOf('given.obj'));
+  good('verify', 'given.obj', '--rims', cones);
+  const moved = run('verify', 'given.obj', '--rims', ...cones.slice(2), '--cone', `${given[0] + 1}:1`); // prettier-ignore
+  assert.equal(moved.code, 6, moved.err);
+  assert.match(moved.out, /cone-angle|angle sums? (is|are) not as asked/);
   // The same with the rims as features, and with a cone inside, which leaves three corners.
   good('param', 'sheet.obj', '--rims', cones, '-o', 'rims.obj');
   assert.equal(read('rims.obj').replace(/^#.*/gm, ''), read('given.obj').replace(/^#.*/gm, ''));
@@ -355,6 +361,8 @@ test('a disk becomes a rectangle, with corners that are chosen or given', () => 
   refused(2, /four corners of 90°/, ...asked, ...cones.slice(2), '--cone', `${given[0]}:2`);
   refused(2, /q = 4/, ...asked, '--q', '3');
   refused(2, /not carried over to a refined/, ...asked, '--refine');
+  refused(5, /given twice/, '--rims', '--cone', '0:1', '--cone', '0:1');
+  refused(5, /k < 1/, '--rims', '--cone', `${inside}:0`);
   refused(5, /prescribed cones and corners/, '--rims', '--cone', `${inside}:3`, ...cones);
 });
 

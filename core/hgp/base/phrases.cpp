@@ -351,7 +351,7 @@ constexpr Phrase kOthers[] = {
     {"repair-by-hand", "No repair removes this; edit the mesh there"},
     {"raise-bytes", "Raise it by --max-bytes (limits.bytes)"},
     {"raise-triangles", "Raise it by --max-triangles (limits.triangles)"},
-    {"use-cones", "Leave out --boundary convex to use cones"},
+    {"use-cones", "Leave out --boundary to use cones"},
     {"name-obj", "Name the result -o x.obj (--also x.glb adds a plain GLB of it)"},
     {"write-obj", "Write an OBJ (-o x.obj)"},
 };

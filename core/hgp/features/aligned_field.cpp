@@ -63,6 +63,7 @@ CompleteSpec specOf(const TriMesh& mesh, const Topology& topology,
   CompleteSpec spec;
   spec.q = aligned.field.q;
   spec.features = features;
+  spec.corners = aligned.corners;
   const Sectors& sectors = aligned.sectors;
   for (VertexId v : mesh.vertices()) {
     if (mesh.isIsolated(v) || mesh.isBoundary(v)) continue;

@@ -25,7 +25,8 @@ struct AlignedField {
   PerHalfedge<double> tilt;  ///< δ, with its multiple of 2π; 0 off features
   std::vector<int> index;    ///< per Sectors::node: k of a vertex off Γ, a of a sector
   std::vector<int> given;  ///< per node: the index that is prescribed, 0 where it is free; or empty
-  int moved = 0;           ///< units of index that were moved to make all of them possible
+  std::vector<ConePoint> corners;  ///< that are prescribed
+  int moved = 0;                   ///< units of index that were moved to make all of them possible
 };
 
 /// The largest index that the triangles of a node can hold: two quarter turns for each, one where the triangle has a right
@@ -44,7 +45,8 @@ bool hasGivenIndices(const AlignedField& aligned);
 /// Σ a over the sectors of a vertex on Γ.
 int indexAround(const TriMesh& mesh, const AlignedField& aligned, VertexId v);
 
-/// What the field prescribes: cones at inner vertices (Σ a on Γ), turning Σ(2 − a) of the loops, handles, features.
+/// What the field prescribes: cones at inner vertices (Σ a on Γ), turning Σ(2 − a) of the loops, handles, features;
+/// the prescribed corners.
 /// @param handles  context.handles.loops
 CompleteSpec specOf(const TriMesh& mesh, const Topology& topology,
                     const std::vector<DualLoop>& handles, const AlignedField& aligned,

@@ -109,6 +109,7 @@ Result<AlignedField> alignedField(const TriMesh& mesh, const FieldContext& conte
   out.field = std::move(*field);
   readTurns(mesh, geometry, out);
   readIndices(mesh, geometry, out);
+  out.corners = asked.corners;
   out.given = givenIndices(mesh, context.topology, out.sectors, asked);
   if (Status done = makeIndicesPossible(mesh, geometry, out); !done) return std::move(done).error();
   if (out.moved > 0) fitField(mesh, geometry, out);

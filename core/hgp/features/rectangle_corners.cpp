@@ -1,7 +1,10 @@
 #include "hgp/features/rectangle_corners.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace hgp {
@@ -11,8 +14,9 @@ namespace {
 constexpr double kUneven = 0.25;
 /// Share of the loop's length to either side within which its turning counts, less with the distance.
 constexpr double kReach = 1.0 / 48.0;
-/// Stretches of equal length, each with one candidate.
-constexpr int kStretches = 96;
+/// Stretches of equal length, each with one candidate. As many vertices again, those that turn most, are candidates: a
+/// narrow strip has two corners in one stretch.
+constexpr int kStretches = 64;
 
 /// A vertex that may become a corner.
 struct Candidate {
@@ -27,39 +31,63 @@ PerVertex<double> turningsOf(const TriMesh& mesh, const Geometry& geometry) {
   return turning;
 }
 
-/// Of every stretch the vertex with the largest turning, in the order of the loop.
+/// The vertices of the loop. The window for T slides along; the loop is laid out three times.
+std::vector<Candidate> verticesOf(const TriMesh& mesh, const Geometry& geometry,
+                                  const BoundaryLoop& loop, const PerVertex<double>& turning) {
+  const std::size_t n = loop.halfedges.size();
+  std::vector<Candidate> all(n);
+  double length = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    all[i] = {mesh.tail(loop.halfedges[i]), length, 0.0};
+    length += geometry.length[loop.halfedges[i]];
+  }
+  for (Candidate& c : all) c.place /= length;
+  const auto placeOf = [&](std::size_t j) {
+    return all[j % n].place + static_cast<double>(j / n) - 1.0;
+  };
+  std::vector<double> sum(3 * n + 1, 0.0), moment(3 * n + 1, 0.0);  // of the turnings before j
+  for (std::size_t j = 0; j < 3 * n; ++j) {
+    const double turn = turning[all[j % n].vertex];
+    sum[j + 1] = sum[j] + turn;
+    moment[j + 1] = moment[j] + turn * placeOf(j);
+  }
+  for (std::size_t i = 0, low = 0, high = 0; i < n; ++i) {
+    const double here = all[i].place;
+    while (here - placeOf(low) > kReach) ++low;
+    while (high < 3 * n && placeOf(high) - here <= kReach) ++high;
+    const std::size_t self = i + n;
+    const double before = sum[self] - sum[low], after = sum[high] - sum[self];
+    const double weighed =
+        (moment[self] - moment[low]) - here * before - (moment[high] - moment[self]) + here * after;
+    all[i].turning = before + after + weighed / kReach;
+  }
+  return all;
+}
+
 std::vector<Candidate> candidatesOf(const TriMesh& mesh, const Geometry& geometry,
                                     const BoundaryLoop& loop) {
   const PerVertex<double> turning = turningsOf(mesh, geometry);
-  const std::size_t n = loop.halfedges.size();
-  std::vector<double> place(n, 0.0);
-  double length = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    place[i] = length;
-    length += geometry.length[loop.halfedges[i]];
+  const std::vector<Candidate> all = verticesOf(mesh, geometry, loop, turning);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto most = order.begin() + std::min<std::ptrdiff_t>(kStretches, std::ssize(order));
+  std::partial_sort(order.begin(), most, order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(-turning[all[a].vertex], a) < std::pair(-turning[all[b].vertex], b);
+  });
+  std::vector<char> isCandidate(all.size(), 0);
+  for (auto i = order.begin(); i != most; ++i) isCandidate[*i] = 1;
+  for (std::size_t i = 0; i < all.size();) {
+    const auto stretchOf = [&](std::size_t j) { return std::floor(all[j].place * kStretches); };
+    std::size_t best = i, end = i;
+    for (; end < all.size() && stretchOf(end) == stretchOf(i); ++end)
+      if (all[end].turning > all[best].turning) best = end;
+    isCandidate[best] = 1;
+    i = end;
   }
-  for (double& p : place) p /= length;
-  std::vector<Candidate> best(at(kStretches));
-  for (std::size_t i = 0; i < n; ++i) {
-    const VertexId v = mesh.tail(loop.halfedges[i]);
-    double around = turning[v];
-    for (const std::size_t step : {std::size_t{1}, n - 1}) {
-      double walked = 0.0;
-      for (std::size_t j = i, k = 1; k < n; ++k) {
-        const std::size_t next = (j + step) % n;
-        const double gap = std::abs(place[next] - place[j]);
-        walked += std::min(gap, 1.0 - gap);
-        if (walked > kReach) break;
-        around += (1.0 - walked / kReach) * turning[mesh.tail(loop.halfedges[next])];
-        j = next;
-      }
-    }
-    Candidate& stretch =
-        best[std::min(at(kStretches - 1), static_cast<std::size_t>(place[i] * kStretches))];
-    if (!stretch.vertex.isValid() || around > stretch.turning) stretch = {v, place[i], around};
-  }
-  std::erase_if(best, [](const Candidate& c) { return !c.vertex.isValid(); });
-  return best;
+  std::vector<Candidate> chosen;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (isCandidate[i]) chosen.push_back(all[i]);
+  return chosen;
 }
 
 double unevenness(double gap) {

@@ -33,10 +33,12 @@ Failure refuseCones(const std::vector<ConePoint>& cones, const char* rule) {
                 std::move(where));
 }
 
+/// Of cones and corners.
 template <class Predicate>
 std::vector<ConePoint> selectCones(const HolonomySpec& spec, Predicate isSelected) {
   std::vector<ConePoint> found;
-  std::copy_if(spec.cones.begin(), spec.cones.end(), std::back_inserter(found), isSelected);
+  for (const auto* list : {&spec.cones, &spec.corners})
+    std::copy_if(list->begin(), list->end(), std::back_inserter(found), isSelected);
   return found;
 }
 
@@ -60,9 +62,11 @@ Status checkShape(const TriMesh& mesh, const Topology& topology, const HolonomyS
   if (auto bad = selectCones(spec, [&](auto& c) { return mesh.isIsolated(c.vertex); });
       !bad.empty())
     return refuseCones(bad, "at a vertex without faces");
-  if (auto bad = selectCones(spec, [&](auto& c) { return mesh.isBoundary(c.vertex); });
-      !bad.empty())
-    return refuseCones(bad, "on the boundary, where only a loop's total turning is prescribed");
+  const auto isOutside = [&](const ConePoint& c) { return mesh.isBoundary(c.vertex); };
+  std::vector<ConePoint> outside;
+  std::copy_if(spec.cones.begin(), spec.cones.end(), std::back_inserter(outside), isOutside);
+  if (!outside.empty())
+    return refuseCones(outside, "on the boundary, where only a loop's total turning is prescribed");
   std::vector<int> uses(static_cast<std::size_t>(mesh.vertexCount()), 0);
   const auto isRepeated = [&](const ConePoint& c) {
     return ++uses[static_cast<std::size_t>(c.vertex.i)] == 2;
@@ -72,8 +76,7 @@ Status checkShape(const TriMesh& mesh, const Topology& topology, const HolonomyS
   return Done{};
 }
 
-/// Checks the bounds that positive triangles imply, for every cone and every loop.
-Status checkBounds(const TriMesh& mesh, const Topology& topology, const HolonomySpec& spec) {
+Status checkLimits(const TriMesh& mesh, const Topology& topology, const HolonomySpec& spec) {
   if (auto bad = selectCones(spec, [](auto& c) { return c.k < 1; }); !bad.empty())
     return refuseCones(bad, "with k < 1; a cone angle 2πk/q must be positive");
   const auto isTooWide = [&](const ConePoint& c) {
@@ -281,7 +284,7 @@ std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topolog
 }
 
 HolonomySpec toSpec(const CompleteSpec& spec) {
-  HolonomySpec out{spec.q, spec.cones, {}, {}, spec.features};
+  HolonomySpec out{spec.q, spec.cones, {}, {}, spec.features, spec.corners};
   out.turning.assign(spec.turning.begin(), spec.turning.end());
   out.handles.assign(spec.handles.begin(), spec.handles.end());
   return out;
@@ -297,11 +300,15 @@ TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q) 
   return {floorHalf(low) + 1, -(floorHalf(-high) + 1)};
 }
 
+Status checkBounds(const TriMesh& mesh, const Topology& topology, const HolonomySpec& spec) {
+  Status ok = checkShape(mesh, topology, spec);
+  return ok ? checkLimits(mesh, topology, spec) : ok;
+}
+
 Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
                                        const HolonomySpec& spec, AngleShortageMemo* shortages) {
   HGP_CHECK(topology.componentCount == 1, "one component expected, got %d",
             topology.componentCount);
-  if (Status ok = checkShape(mesh, topology, spec); !ok) return std::move(ok).error();
   if (Status ok = checkBounds(mesh, topology, spec); !ok) return std::move(ok).error();
   const bool isClosed = topology.loops.empty();
   if (isClosed && topology.genus == 0 && spec.q == 1)

@@ -43,6 +43,7 @@ struct CompleteSpec {
   std::vector<int> turning;
   std::vector<int> handles;  ///< r ∈ {0, …, q − 1}
   std::vector<EdgeId> features = {};
+  std::vector<ConePoint> corners = {};  ///< those that were asked for
 };
 
 HolonomySpec toSpec(const CompleteSpec& spec);
@@ -68,6 +69,9 @@ struct BudgetReport {
   /// No map on this mesh has these angles (findAngleShortage); `warnings` has the note.
   bool isTooCoarse = false;
 };
+
+/// Whether cones, corners, turnings and handles are there, and within the bounds that positive triangles imply.
+Status checkBounds(const TriMesh& mesh, const Topology& topology, const HolonomySpec& spec);
 
 /// Gauss–Bonnet and admissibility in exact integers [BCW17 Lemma 6.2]:
 ///     q|C| − Σ k_i + Σ l_j = q(2 − 2g − m).

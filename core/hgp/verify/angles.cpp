@@ -87,11 +87,15 @@ AngleFacts measureAngles(const TriMesh& mesh, const Topology& topology, const As
     if (mesh.isIsolated(v)) continue;
     if (mesh.isBoundary(v)) {
       if (sum[v] > 2.0 * kPi + rule.tolerance) facts.overlapping.push_back(v);
-      continue;
+      if (asked.k[v] == 0) continue;
     }
     const int k = nearestTurn(sum[v], asked.q);
     MeasuredCone cone{compare(sum[v], k, asked.q, rule, rule.rounding[v], rule.explained[v]), v,
                       asked.k[v], k};
+    if (mesh.isBoundary(v)) {
+      if (cone.measured != cone.asked || cone.isTooFar()) facts.wrong.push_back(cone);
+      continue;
+    }
     if (asked.isAnyConeAllowed && !asked.isCone[v]) cone.asked = std::max(1, k);
     if (asked.isCone[v] || k != asked.q) facts.cones.push_back(cone);
     if (cone.measured != cone.asked || cone.isTooFar()) facts.wrong.push_back(cone);

@@ -31,7 +31,8 @@ struct AngleDistance {
   bool isTooFar() const { return !(distance <= allowed); }
 };
 
-/// An interior vertex with angle sum Θ = 2πk/q, k as measured, up to `distance`.
+/// An interior vertex with angle sum Θ = 2πk/q, k as measured, up to `distance`; or one of a boundary loop whose corners
+/// are prescribed.
 struct MeasuredCone : AngleDistance {
   VertexId vertex;
   int asked = 0;     ///< prescribed k; q where no cone is prescribed
@@ -47,7 +48,7 @@ struct MeasuredTurning : AngleDistance {
 };
 
 struct AngleFacts {
-  std::vector<MeasuredCone> cones;  ///< asked ones and all with measured ≠ q, ascending
+  std::vector<MeasuredCone> cones;  ///< inner ones: asked ones and all with measured ≠ q, ascending
   std::vector<MeasuredCone> wrong;  ///< not as asked, or too far from the integer, ascending
   double worstDistance = 0;         ///< over all interior vertices, radians
   VertexId worstVertex;
@@ -65,7 +66,8 @@ PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv);
 /// The prescribed angles.
 struct AskedAngles {
   int q = 4;
-  PerVertex<int> k;                         ///< per vertex; q where regular
+  PerVertex<int>
+      k;  ///< per vertex; q where regular; 0 at boundary vertices, where none is prescribed
   PerVertex<char> isCone;                   ///< 1 where a cone is prescribed
   bool isAnyConeAllowed = false;            ///< if isCone = 0, every measured k ≥ 1 is accepted
   std::vector<std::optional<int>> turning;  ///< per loop

@@ -9,6 +9,7 @@
 #include "hgp/base/counted.h"
 #include "hgp/base/float32.h"
 #include "hgp/base/parallel.h"
+#include "hgp/verify/asked_map.h"
 #include "hgp/verify/verdict.h"
 
 namespace hgp {

@@ -32,11 +32,6 @@ std::vector<Where> worstPlaces(std::vector<Place> places, int limit) {
 
 const char* plural(std::size_t n) { return n == 1 ? "" : "s"; }
 
-Reason mismatch(std::string message, std::vector<Where> where = {}) {
-  const int count = std::max<int>(1, static_cast<int>(where.size()));
-  return {Rule::kPrescription, count, 0.0, std::move(message), std::move(where)};
-}
-
 void checkOrientation(const Certificate& facts, const CornerUv& uv, const CertifyOptions& options,
                       std::vector<Reason>& reasons) {
   const OrientationFacts& o = facts.orientation;
@@ -257,68 +252,7 @@ void checkIntegers(const Certificate& facts, std::vector<Reason>& reasons) {
          {}});
 }
 
-void takeFeatures(const TriMesh& mesh, const HolonomySpec& asked, AskedMap& out) {
-  int missing = 0;
-  for (EdgeId e : asked.features) {
-    if (e.i >= 0 && e.i < mesh.edgeCount())
-      out.features.push_back(e);
-    else
-      ++missing;
-  }
-  if (missing > 0)
-    out.mismatches.push_back(mismatch(
-        formatText("%d feature%s no edge of the mesh.", missing, missing == 1 ? " is" : "s are")));
-}
-
 }  // namespace
-
-AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCount,
-                     const HolonomySpec& asked, const CertifyOptions& options) {
-  AskedMap out;
-  const auto vertexCount = static_cast<std::size_t>(mesh.vertexCount());
-  out.angles.q = asked.q;
-  out.angles.k = PerVertex<int>(vertexCount, asked.q);
-  out.angles.isCone = PerVertex<char>(vertexCount, 0);
-  out.angles.isAnyConeAllowed = options.isAnyConeAllowed;
-  if (asked.q < 1) {
-    out.mismatches.push_back(
-        mismatch(formatText("q = %d; the order must be at least 1.", asked.q)));
-    return out;
-  }
-  std::vector<Where> strays;
-  for (const ConePoint& c : asked.cones) {
-    const bool isThere = c.vertex.i >= 0 && c.vertex.i < mesh.vertexCount();
-    if (!isThere || mesh.isIsolated(c.vertex) || mesh.isBoundary(c.vertex) ||
-        out.angles.isCone[c.vertex]) {
-      strays.push_back(whereVertex(c.vertex));
-      continue;
-    }
-    out.angles.isCone[c.vertex] = 1;
-    out.angles.k[c.vertex] = c.k;
-  }
-  if (!strays.empty())
-    out.mismatches.push_back(
-        mismatch(formatText("%zu cone%s given twice or not at an interior vertex.", strays.size(),
-                            strays.size() == 1 ? " is" : "s are"),
-                 strays));
-  if (asked.turning.size() == topology.loops.size()) {
-    out.angles.turning = asked.turning;
-  } else if (!asked.turning.empty()) {
-    out.mismatches.push_back(mismatch(
-        formatText("%zu turning indices are given for %zu boundary loop%s.", asked.turning.size(),
-                   topology.loops.size(), plural(topology.loops.size()))));
-  }
-  if (asked.handles.size() == static_cast<std::size_t>(handleCount)) {
-    out.handles = asked.handles;
-    for (auto& r : out.handles)
-      if (r) r = reduceTurn(*r, asked.q);
-  } else if (!asked.handles.empty()) {
-    out.mismatches.push_back(mismatch(formatText(
-        "%zu handle rotations are given for %d generators.", asked.handles.size(), handleCount)));
-  }
-  takeFeatures(mesh, asked, out);
-  return out;
-}
 
 std::vector<Reason> findReasons(const TriMesh& mesh, const Certificate& facts, const CornerUv& uv,
                                 const std::vector<DualLoop>& loops, const CertifyOptions& options) {

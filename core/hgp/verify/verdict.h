@@ -8,18 +8,6 @@
 
 namespace hgp {
 
-/// The prescription in the form that the measurements need, and the reasons why it does not fit the mesh.
-struct AskedMap {
-  AskedAngles angles;
-  std::vector<std::optional<int>> handles;  ///< reduced mod q
-  std::vector<EdgeId> features;             ///< those that are edges of the mesh
-  std::vector<Reason> mismatches;           ///< of Rule::kPrescription
-};
-
-/// @param handleCount  2g, or 0 where handles are not measured
-AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCount,
-                     const HolonomySpec& asked, const CertifyOptions& options);
-
 /// All rules that the measured facts break.
 /// @param loops  the dual loops that `facts.seams.handles` were measured along
 std::vector<Reason> findReasons(const TriMesh& mesh, const Certificate& facts, const CornerUv& uv,

@@ -15,7 +15,8 @@ namespace {
 std::set<int> cornersOf(const TriMesh& mesh, std::size_t rotation = 0) {
   Topology topology = computeTopology(mesh);
   std::vector<HalfedgeId>& loop = topology.loops.at(0).halfedges;
-  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(rotation), loop.end());
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(rotation % loop.size()),
+              loop.end());
   const auto corners = rectangleCorners(mesh, computeGeometry(mesh), topology.loops[0]);
   std::set<int> ids;
   if (corners)
@@ -40,7 +41,8 @@ std::set<int> extremes(const TriMesh& mesh) {
 }
 
 TEST(RectangleCorners, AreThoseOfARectangleWhereverItsLoopBegins) {
-  for (const auto& [m, n] : {std::pair(9, 6), std::pair(40, 3), std::pair(5, 5)}) {
+  for (const auto& [m, n] :
+       {std::pair(9, 6), std::pair(40, 3), std::pair(5, 5), std::pair(200, 1), std::pair(1, 1)}) {
     const TriMesh mesh = test::meshOf(test::grid(m, n).data);
     const std::set<int> expected = extremes(mesh);
     ASSERT_EQ(expected.size(), 4u);

@@ -265,10 +265,14 @@ TEST(HolonomySpec, WarnsOfVerticesWithTooFewTriangles) {
 }
 
 TEST(HolonomySpec, CompleteSpecsBecomeSpecsWithNothingOpen) {
-  const CompleteSpec complete{6, {{VertexId(3), 5}}, {2, -1}, {0, 5}};
+  const CompleteSpec complete{6,      {{VertexId(3), 5}}, {2, -1},
+                              {0, 5}, {EdgeId(7)},        {{VertexId(4), 1}}};
   const HolonomySpec spec = toSpec(complete);
   EXPECT_EQ(spec.q, 6);
   EXPECT_EQ(spec.cones.size(), 1u);
+  EXPECT_EQ(spec.features, complete.features);
+  ASSERT_EQ(spec.corners.size(), 1u);
+  EXPECT_EQ(spec.corners[0].vertex, VertexId(4));
   EXPECT_EQ(spec.turning, (Options{2, -1}));
   EXPECT_EQ(spec.handles, (Options{0, 5}));
 }

@@ -700,7 +700,7 @@ TEST(Angles, AreMeasuredInRadiansWhateverTheOrder) {
   for (int q : {4, 8, 64}) {
     AskedAngles asked;
     asked.q = q;
-    asked.k = PerVertex<int>(static_cast<std::size_t>(f.mesh.vertexCount()), q);
+    asked.k = PerVertex<int>(static_cast<std::size_t>(f.mesh.vertexCount()), 0);
     asked.isCone = PerVertex<char>(static_cast<std::size_t>(f.mesh.vertexCount()), 0);
     asked.k[VertexId(0)] = 3 * q / 4;
     asked.turning = {std::nullopt};

@@ -51,6 +51,33 @@ TEST(Features, OfARectangleAreFourChainsWithFourCorners) {
   EXPECT_TRUE(flat.certificate().isCertified);
 }
 
+TEST(Features, CornersAreWhereTheyAreAskedFor) {
+  const FlatMap flat(test::grid(5, 3));
+  const auto reasons = [&](std::vector<ConePoint> corners) {
+    HolonomySpec spec;
+    spec.features = flat.features;
+    spec.corners = std::move(corners);
+    return certify(flat.mesh, spec, flat.map).reasons;
+  };
+  const auto point = [](int v, int k) { return ConePoint{VertexId(v), k}; };
+  const std::vector<ConePoint> there = {point(0, 1), point(5, 1), point(18, 1), point(23, 1)};
+  EXPECT_TRUE(reasons(there).empty());
+  const auto expectWrong = [&](std::vector<ConePoint> corners, Rule rule, int count) {
+    const std::vector<Reason> found = reasons(std::move(corners));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].rule, rule);
+    EXPECT_EQ(found[0].count, count);
+  };
+  // Its other vertices are straight, so that both ends of a move are wrong.
+  expectWrong({point(1, 1), point(5, 1), point(18, 1), point(23, 1)}, Rule::kConeAngle, 2);
+  expectWrong({point(0, 1), point(5, 1), point(18, 1)}, Rule::kConeAngle, 1);
+  expectWrong({point(0, 3), point(5, 1), point(18, 1), point(23, 1)}, Rule::kConeAngle, 1);
+  expectWrong({point(0, 1), point(0, 1), point(5, 1), point(18, 1), point(23, 1)},
+              Rule::kPrescription, 1);
+  expectWrong({point(7, 4), point(0, 1), point(5, 1), point(18, 1), point(23, 1)},
+              Rule::kPrescription, 1);
+}
+
 TEST(Features, AreNotStraightIfOneBitDiffers) {
   FlatMap flat(test::grid(5, 3));
   // Vertex 2 lies on the lower side, v = 0 there.

@@ -48,10 +48,10 @@ prescription::Prescription describe(const Model& model, const std::vector<Holono
     const Names names(component, copies);
     out.q = specs[p].q;
     const auto told = static_cast<std::ptrdiff_t>(out.cones.size());
-    for (const ConePoint& c : specs[p].cones) {
-      out.cones.push_back({names.vertex(c.vertex), c.k, component.mesh.position(c.vertex),
-                           names.isUnique(c.vertex) ? -1 : names.triangleAt(c.vertex)});
-    }
+    for (const auto* list : {&specs[p].cones, &specs[p].corners})
+      for (const ConePoint& c : *list)
+        out.cones.push_back({names.vertex(c.vertex), c.k, component.mesh.position(c.vertex),
+                             names.isUnique(c.vertex) ? -1 : names.triangleAt(c.vertex)});
     std::sort(out.cones.begin() + told, out.cones.end(),
               [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
     for (std::size_t j = 0; j < specs[p].turning.size(); ++j) {

@@ -124,7 +124,8 @@ Result<Verdict> Session::check(const prescription::Prescription& prescription) c
     for (std::size_t p = 0; p < model.components.size(); ++p) {
       const ComponentRequest& component = request->components[p];
       ComponentCheck check;
-      check.isAutomatic = component.isAutomatic;
+      check.isAutomatic =
+          component.isAutomatic && component.spec.cones.empty() && component.spec.corners.empty();
       if (!component.spec.features.empty()) {
         PreparedSurface surface(split.model->components[p].mesh);
         const HolonomySpec& spec = split.request->components[p].spec;

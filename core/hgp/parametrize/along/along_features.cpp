@@ -17,16 +17,19 @@ namespace {
 
 /// Steps that are straightened at most, because lengths contradict each other.
 constexpr int kMostSteps = 8;
+/// Cones of which a message tells the k.
+constexpr std::size_t kListed = 8;
 
 Failure refusal(std::string message) {
   return {ErrorCode::kUsage, "features", std::move(message), {}};
 }
 
-Status checkOptions(const HolonomySpec& spec, const ParametrizeOptions& options) {
+Status checkOptions(const PreparedSurface& surface, const HolonomySpec& spec,
+                    const ParametrizeOptions& options) {
   if (spec.q != 4)
     return refusal("features need q = 4; these cones have q = " + std::to_string(spec.q) + ".");
   if (options.frames) return refusal("Frames of a file do not go with features; leave out either.");
-  return Done{};
+  return checkBounds(surface.mesh(), surface.context().topology, spec);
 }
 
 bool isAnyOther(const std::vector<std::optional<int>>& asked, const std::vector<int>& found) {
@@ -46,26 +49,27 @@ Status checkCones(const TriMesh& mesh, const HolonomySpec& asked, const Straight
                    "them, which are not the prescribed ones. Leave out these or the features.",
                    {}};
   if (asked.cones.empty() && asked.corners.empty()) return Done{};
+  PerVertex<int> wanted(at(mesh.vertexCount()), asked.q), has = wanted;
+  for (const ConePoint& cone : asked.cones) wanted[cone.vertex] = cone.k;
+  for (const ConePoint& cone : found.cones) has[cone.vertex] = cone.k;
+  for (const ConePoint& corner : asked.corners) {
+    wanted[corner.vertex] = corner.k;
+    has[corner.vertex] = indexAround(mesh, setup.aligned, corner.vertex);
+  }
   std::vector<Where> where;
-  for (const ConePoint& corner : asked.corners)
-    if (indexAround(mesh, setup.aligned, corner.vertex) != corner.k)
-      where.push_back({Where::Kind::kVertex, corner.vertex.i});
-  const auto isIn = [](const std::vector<ConePoint>& list, const ConePoint& cone) {
-    return std::any_of(list.begin(), list.end(), [&](const ConePoint& other) {
-      return other.vertex == cone.vertex && other.k == cone.k;
-    });
-  };
-  for (const ConePoint& cone : asked.cones)
-    if (cone.k != asked.q && !isIn(found.cones, cone))
-      where.push_back({Where::Kind::kVertex, cone.vertex.i});
-  for (const ConePoint& cone : found.cones)
-    if (!isIn(asked.cones, cone)) where.push_back({Where::Kind::kVertex, cone.vertex.i});
+  std::string list;
+  for (VertexId v : mesh.vertices()) {
+    if (wanted[v] == has[v]) continue;
+    where.push_back({Where::Kind::kVertex, v.i});
+    if (where.size() <= kListed) list += (list.empty() ? "" : ", ") + std::to_string(has[v]);
+  }
   if (where.empty()) return Done{};
+  if (where.size() > kListed) list += ", …";
   return Failure{ErrorCode::kPrescription, "features",
                  "Cones on features are those of a field along them; " +
                      counted(where.size(), "cone differs", "cones differ") +
-                     " from the prescribed ones. Prescribe these, or leave out the cones or the "
-                     "features.",
+                     " from the prescribed ones: the field has k = " + list +
+                     ". Prescribe these, or leave out the cones or the features.",
                  std::move(where)};
 }
 
@@ -229,7 +233,8 @@ Status finish(const TriMesh& mesh, const ParametrizeOptions& options, StraightOu
 
 Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec,
                                                  const ParametrizeOptions& options) {
-  if (Status possible = checkOptions(spec, options); !possible) return std::move(possible).error();
+  if (Status possible = checkOptions(surface, spec, options); !possible)
+    return std::move(possible).error();
   const TriMesh& mesh = surface.mesh();
   Parametrization result;
   Result<StraightSetup> setup =
@@ -254,7 +259,7 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
 }
 
 Status checkAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec) {
-  if (Status possible = checkOptions(spec, {}); !possible) return possible;
+  if (Status possible = checkOptions(surface, spec, {}); !possible) return possible;
   const TriMesh& mesh = surface.mesh();
   Result<AlignedField> aligned =
       alignedField(mesh, surface.context(), withRims(mesh, spec.features), spec);

@@ -1,9 +1,13 @@
 // What a map is compared with.  Role: the prescription, checked against the mesh and laid out by vertex.
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "hgp/verify/certificate.h"
+#include "hgp/mesh/holonomy_spec.h"
+#include "hgp/verify/angles.h"
+#include "hgp/verify/reason.h"
+#include "hgp/verify/thresholds.h"
 
 namespace hgp {
 

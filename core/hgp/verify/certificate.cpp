@@ -165,38 +165,6 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
 
 }  // namespace
 
-const char* ruleName(Rule rule) {
-  switch (rule) {
-    case Rule::kPrescription:
-      return "prescription";
-    case Rule::kMalformedUv:
-      return "malformed-uv";
-    case Rule::kNotFinite:
-      return "not-finite";
-    case Rule::kOrientation:
-      return "orientation";
-    case Rule::kConeAngle:
-      return "cone-angle";
-    case Rule::kTurning:
-      return "turning";
-    case Rule::kSeam:
-      return "seam";
-    case Rule::kHandle:
-      return "handle";
-    case Rule::kFeature:
-      return "feature";
-    case Rule::kGaussBonnet:
-      return "gauss-bonnet";
-    case Rule::kEuler:
-      return "euler";
-    case Rule::kRange:
-      return "range";
-    case Rule::kEmpty:
-      return "empty";
-  }
-  return "unknown";
-}
-
 Verifier::Verifier(const TriMesh& mesh) : mesh_(mesh), topology_(computeTopology(mesh)) {
   if (topology_.componentCount == 1 && topology_.genus > 0) generators_ = handleGenerators(mesh);
 }

@@ -2,9 +2,7 @@
 // [BCW17 Thm 6.1], Def. C.1. Shares no code with the method; its input is a mesh, the prescription and uv. Threads may call it at once.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "hgp/mesh/holonomy_spec.h"
@@ -15,49 +13,11 @@
 #include "hgp/verify/exact_seams.h"
 #include "hgp/verify/features.h"
 #include "hgp/verify/overlap.h"
+#include "hgp/verify/reason.h"
 #include "hgp/verify/seams.h"
 #include "hgp/verify/thresholds.h"
 
 namespace hgp {
-
-/// What a map must satisfy. Order: from "cannot be measured" to "measured and wrong".
-enum class Rule {
-  kPrescription,  ///< the prescription does not fit this mesh
-  kMalformedUv,   ///< cornerUv has the wrong size or an index out of range
-  kNotFinite,     ///< a used uv is NaN or infinite
-  kOrientation,   ///< a triangle whose signed area is not positive
-  kConeAngle,     ///< an interior angle sum that is not as asked
-  kTurning,       ///< a boundary loop whose turning is not as asked
-  kSeam,          ///< a seam whose sides are not related by a rotation by a multiple of 2π/q
-  kHandle,        ///< a handle whose rotation is not as asked
-  kFeature,       ///< a prescribed feature edge that is not exactly straight
-  kGaussBonnet,   ///< the measured integers break Lemma 6.2
-  kEuler,         ///< V − E + F ≠ 2c − 2g − m
-  /// Deviations above the tolerance that the resolution of the number type explains, or areas that
-  /// span more than it resolves
-  kRange,
-  kEmpty,  ///< there is no triangle
-};
-/// Short stable name used in JSON ("orientation", "cone-angle", …).
-const char* ruleName(Rule rule);
-
-/// The id, of the mesh that was verified, which stands in a message as a number; who numbers otherwise replaces it.
-struct NamedId {
-  enum class Kind : std::uint8_t { kVertex, kLoop, kHandle };
-  Kind kind;
-  int id;
-  std::size_t at;  ///< where in the message its digits begin
-};
-
-/// Why a map is not certified.
-struct Reason {
-  Rule rule;
-  int count = 0;             ///< places that break the rule
-  double worst = 0;          ///< measured number at the worst place, in the rule's own unit
-  std::string message;       ///< one sentence: rule, numbers
-  std::vector<Where> where;  ///< the worst places, worst first ("Show worst")
-  std::optional<NamedId> named = {};  ///< in `message`
-};
 
 /// Facts first, verdict last. Facts that could not be measured keep their defaults.
 struct Certificate {

@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
-import { flatSquare } from './shapes.mjs';
+import { arch, flatSquare } from './shapes.mjs';
 import {
   commandLine,
   openFiles,
@@ -69,6 +69,49 @@ test('a click chooses the chain to the next corners, and with Alt takes it out',
   await page.keyboard.up('Alt');
   await statusSays(it, /no longer followed/);
   assert.equal(await page.locator('#features-note').count(), 0);
+});
+
+test('a symmetric map is offered where there is a plane, and the file verifies with its two halves mirrored', async (t) => {
+  const { page } = it;
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(3)) });
+  await settled(page);
+  assert.equal(await page.locator('#symmetric').count(), 0);
+  await openFiles(it, { 'arch.obj': toObj(arch(6)) });
+  await page.click('#symmetric');
+  await page.waitForSelector('#features-note');
+  assert.match(await note(), /After Run, lines follow 1 rim and the plane of symmetry\./);
+  assert.equal(await page.locator('#features-export').count(), 0);
+  await run(it);
+  assert.match(await statusText(page), /lines follow 1 rim and the plane of symmetry/);
+  await settled(page);
+  await page.screenshot({ path: path.join(shots, 'symmetric.png') });
+  assert.deepEqual(await violations(page, '#panel-solve'), []);
+  const program = commandLine(t);
+  const saved = await saveAs(it, 'same');
+  const rows = (mark) =>
+    new TextDecoder().decode(saved.bytes).split('\n').filter((row) => row.startsWith(mark)); // prettier-ignore
+  // The map of the triangle at the mirrored place is as large, to the last digit but those of the subtraction.
+  const numbers = (mark) => rows(mark).map((row) => row.split(' ').slice(1).map(Number));
+  const [places, uv] = [numbers('v '), numbers('vt ')];
+  const sizes = new Map();
+  for (const row of rows('f ')) {
+    const corners = row.split(' ').slice(1).map((word) => word.split('/').map((n) => n - 1)); // prettier-ignore
+    const [a, b, c] = corners.map(([, n]) => uv[n]);
+    const middle = [0, 1, 2].map((k) => corners.reduce((sum, [v]) => sum + places[v][k], 0));
+    const size = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    sizes.set(middle.map((x) => Math.round(1e6 * x) + 0).join(' '), size);
+  }
+  assert.ok(sizes.size >= 144);
+  for (const [middle, size] of sizes) {
+    const [x, y, z] = middle.split(' ').map(Number);
+    assert.ok(Math.abs(sizes.get([-x + 0, y, z].join(' ')) - size) < 1e-9, middle);
+  }
+  if (program) {
+    const file = path.join(it.folder, 'mirrored.obj');
+    writeFileSync(file, saved.bytes);
+    const { stdout, status } = spawnSync(program, ['verify', file], { encoding: 'utf8' });
+    assert.equal(status, 0, stdout);
+  }
 });
 
 test('rims are offered where there are some, and a click on one chooses them', async () => {

@@ -107,6 +107,23 @@ export function bumpyBall(n, height, waves) {
   return mesh;
 }
 
+/** A sheet of squares that is bent like an arch, whose triangles are mirror images of each other across x = 0. */
+export function arch(n) {
+  const vertices = [];
+  for (let j = 0; j <= n; j++)
+    for (let i = -n; i <= n; i++)
+      vertices.push([i / n, j / n, 0.4 * Math.cos((2 * i) / n) * (1 + j / n)]);
+  const triangles = [];
+  for (let j = 0; j < n; j++)
+    for (let i = 0; i < 2 * n; i++) {
+      const a = j * (2 * n + 1) + i;
+      const [b, c, d] = [a + 1, a + 2 * n + 2, a + 2 * n + 1];
+      if (i < n === j < n / 2) triangles.push([a, b, c], [a, c, d]);
+      else triangles.push([a, b, d], [b, c, d]);
+    }
+  return { vertices, triangles };
+}
+
 /** A box with horns, its own mirror image in one plane only, turned and moved; and the normal of that plane. */
 export function hornedBox(turn, shift) {
   const mesh = cubeMesh(8);

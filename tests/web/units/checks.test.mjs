@@ -102,6 +102,9 @@ test('a link holds the edges that lines follow, and tells what it has no room fo
   assert.equal(read.model, model);
   const onlyRims = { hasCreases: false, hasRims: true, edges: [] };
   assert.deepEqual(readHash(written(onlyRims).hash).features, onlyRims);
+  const mirrored = { hasCreases: false, hasRims: false, edges: [], isSymmetric: true };
+  assert.deepEqual(readHash(written(mirrored).hash).features, mirrored);
+  assert.equal(readHash(written(mirrored).hash).model, model);
   assert.equal(readHash(written(undefined).hash).features, undefined);
   assert.equal(readHash('#creases=1').features, undefined);
   assert.equal(readHash(`#edges=${btoa('[[-1,2]]').replaceAll('=', '')}`).features, undefined);

@@ -7,6 +7,8 @@ import {
   countRuns,
   EdgeMap,
   featuresText,
+  hasEdges,
+  hasFeatures,
   noFeatures,
   sameFeatures,
   toFeatures,
@@ -90,6 +92,10 @@ test('runs are counted between crossings', () => {
   assert.equal(featuresText(choice, 0), 'lines follow 2 creases');
   assert.equal(featuresText(choice, 1), 'lines follow 2 creases and 1 rim');
   assert.equal(featuresText({ ...noFeatures, hasRims: true }, 2), 'lines follow 2 rims');
+  const mirrored = { ...noFeatures, isSymmetric: true };
+  assert.equal(featuresText(mirrored, 0), 'lines follow the plane of symmetry');
+  assert.equal(featuresText(mirrored, 1), 'lines follow 1 rim and the plane of symmetry');
+  assert.equal(featuresText({ ...choice, isSymmetric: true }, 1), 'lines follow 2 creases, 1 rim and the plane of symmetry'); // prettier-ignore
 });
 
 test('the command has features instead of cones', () => {
@@ -100,6 +106,11 @@ test('the command has features instead of cones', () => {
   const command = cliCommand(model, prescription, options, { embedCones: true });
   assert.match(command, / --rims --features part\.features\.json /);
   assert.doesNotMatch(command, /--cone/);
+  const mirrored = { ...noFeatures, isSymmetric: true };
+  const other = cliCommand(model, prescription, { ...options, features: mirrored }, { embedCones: true }); // prettier-ignore
+  assert.match(other, / --symmetric=auto /);
+  assert.doesNotMatch(other, /--cone|--rims|--features/);
+  assert.ok(hasFeatures(mirrored) && !hasEdges(mirrored) && !hasFeatures(noFeatures));
 });
 
 test('after a weld, edges are named by the vertices that stand for theirs; a seam that is closed is no rim', () => {

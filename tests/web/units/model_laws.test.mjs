@@ -87,6 +87,7 @@ test('features are the same if they have the same edges, whichever way round and
   const value = { hasCreases: true, hasRims: false, edges: [[1, 2], [3, 4]], rims: [] }; // prettier-ignore
   samenessLaw(sameFeatures, value, {
     rims: { hasRims: true },
+    mirrored: { isSymmetric: true },
     fewer: { edges: [[1, 2]] },
     others: { edges: [[1, 2], [3, 5]] }, // prettier-ignore
   });

@@ -22,6 +22,16 @@ test('cones, features or a choice of the solver: a run is asked with one of them
     ...{ q: 4, features: { rims: true, lines } },
     ...common,
   });
+  const symmetric = { ...features, isSymmetric: true };
+  assert.deepEqual(runOptions({ prescription, features: symmetric, ...settings }), {
+    ...{ q: 4, symmetric: 'auto', features: { rims: true, lines } },
+    ...common,
+  });
+  const alone = { ...symmetric, hasRims: false, edges: [] };
+  assert.deepEqual(runOptions({ prescription, features: alone, ...settings }), {
+    ...{ q: 4, symmetric: 'auto' },
+    ...common,
+  });
   const framed = runOptions({ prescription, field, ...settings });
   assert.deepEqual([framed.field, framed.frames], [field, 'file']);
   assert.equal(framed.cones.cones.length, 1);

@@ -47,6 +47,12 @@ export function followRims(app: App, isOn: boolean): void {
   choose(app, { ...(app.doc.features ?? noFeatures), hasRims: isOn });
 }
 
+/** Asks for a map that is its own mirror image. */
+export function mirrorMap(app: App, isOn: boolean): void {
+  if (isLocked(app)) return;
+  choose(app, { ...(app.doc.features ?? noFeatures), isSymmetric: isOn });
+}
+
 /** Chooses the chain through an edge, or takes it out. */
 export function chooseChain(app: App, edge: Edge, isRemoved: boolean): void {
   const { doc } = app;

@@ -77,8 +77,10 @@ function featuresOf(words: URLSearchParams): HashState['features'] {
   const edges: Edge[] | undefined = pairsOf(words.get('edges'));
   const hasRims = words.get('rims') === '1';
   const isGood = (edges ?? []).every(([v, w]) => v >= 0 && w >= 0);
-  if (!isGood || (!edges && !hasRims)) return undefined;
-  return { hasCreases: words.get('creases') === '1', hasRims, edges: edges ?? [] };
+  const isSymmetric = words.get('symmetric') === '1';
+  if (!isGood || (!edges && !hasRims && !isSymmetric)) return undefined;
+  const hasCreases = words.get('creases') === '1';
+  return { hasCreases, hasRims, edges: edges ?? [], ...(isSymmetric ? { isSymmetric } : {}) };
 }
 
 export function readHash(hash: string): HashState {
@@ -162,8 +164,9 @@ export function writeHash(source: HashSource): Written {
   set('handles', said(prescription.handles), 'rotations around handles');
   set('edges', features?.edges ?? [], 'edges that lines follow');
   if (features?.hasRims) words.set('rims', '1');
+  if (features?.isSymmetric) words.set('symmetric', '1');
   if (features?.hasCreases && words.has('edges')) words.set('creases', '1');
-  const ofModel = ['cones', 'turnings', 'handles', 'edges', 'rims'];
+  const ofModel = ['cones', 'turnings', 'handles', 'edges', 'rims', 'symmetric'];
   if (model && ofModel.some((key) => words.has(key))) words.set('model', model);
   return { hash: `#${words}`, omitted };
 }

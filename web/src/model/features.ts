@@ -1,4 +1,4 @@
-// Edges that become straight lines of the map: creases, rims and chosen ones. Values are immutable.
+// Edges that become straight lines of the map: creases, rims, chosen ones and those in a plane of symmetry. Values are immutable.
 
 import type { Features } from 'hgp';
 
@@ -16,6 +16,8 @@ export interface FeatureChoice {
   /** Whether the creases were found by their angle, and whether all rims were asked for. */
   readonly hasCreases: boolean;
   readonly hasRims: boolean;
+  /** Whether the map is its own mirror image, with lines along the plane and all rims. */
+  readonly isSymmetric?: boolean;
   /** Edges inside the surface by their vertices; with any of them, or with hasRims, rims are lines as well. */
   readonly edges: readonly Edge[];
   /** All edges of the boundary. */
@@ -24,8 +26,10 @@ export interface FeatureChoice {
 
 export const noFeatures: FeatureChoice = { hasCreases: false, hasRims: false, edges: [], rims: [] };
 
-export const hasFeatures = ({ hasRims, edges }: FeatureChoice): boolean =>
-  hasRims || edges.length > 0;
+/** Whether edges of the surface are asked for. */
+export const hasEdges = ({ hasRims, edges }: FeatureChoice): boolean => hasRims || edges.length > 0;
+export const hasFeatures = (choice: FeatureChoice): boolean =>
+  choice.isSymmetric === true || hasEdges(choice);
 
 export const toFeatures = ({ hasRims, edges }: FeatureChoice): Features => ({
   rims: hasRims,
@@ -38,6 +42,7 @@ export function sameFeatures(a: FeatureChoice | undefined, b: FeatureChoice | un
   if (a === b) return true;
   const [x, y] = [a ?? noFeatures, b ?? noFeatures];
   if (x.hasRims !== y.hasRims || x.edges.length !== y.edges.length) return false;
+  if ((x.isSymmetric ?? false) !== (y.isSymmetric ?? false)) return false;
   const known = new Set(x.edges.map(keyOf));
   return y.edges.every((edge) => known.has(keyOf(edge)));
 }
@@ -88,8 +93,9 @@ export function followedLines(choice: FeatureChoice, rims: number): string {
   const creases = countRuns(choice.edges);
   const many = (n: number, word: string): string => `${n} ${word}${n === 1 ? '' : 's'}`;
   const parts = creases > 0 ? [many(creases, 'crease')] : [];
-  if (rims > 0 || creases === 0) parts.push(many(rims, 'rim'));
-  return parts.join(' and ');
+  if (rims > 0 || (creases === 0 && !choice.isSymmetric)) parts.push(many(rims, 'rim'));
+  if (choice.isSymmetric) parts.push('the plane of symmetry');
+  return parts.length < 3 ? parts.join(' and ') : `${parts[0]}, ${parts[1]} and ${parts[2]}`;
 }
 
 /** The same as a sentence. */

@@ -1,7 +1,7 @@
 // What a map is asked with: by Run, to make the same map once more, and to write it again.
 
 import type { SolveOptions } from 'hgp';
-import { toFeatures, type FeatureChoice } from './features';
+import { hasEdges, toFeatures, type FeatureChoice } from './features';
 import { toCones, type Prescription } from './prescription';
 import type { DirectionField, Solution, SolveRequest } from './types';
 
@@ -29,7 +29,10 @@ export function runOptions(asked: Asked): SolveOptions {
   const { prescription, isAutomatic, features, field, rounds, improve, scale, keepGoing } = asked;
   const common = { maxRounds: rounds, improve, scale, keepGoing };
   const { q } = prescription;
-  if (features) return { q, features: toFeatures(features), ...common };
+  if (features) {
+    const edges = hasEdges(features) ? { features: toFeatures(features) } : {};
+    return { q, ...edges, ...(features.isSymmetric ? { symmetric: 'auto' } : {}), ...common };
+  }
   if (isAutomatic) return { q, ...common };
   const framed = field ? { field, frames: 'file' as const } : {};
   return { cones: toCones(prescription), ...framed, ...common };

@@ -3,8 +3,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
-import { clearFeatures, exportFeatures, followCreases, followRims } from '../actions/features';
-import { featuresText, hasFeatures } from '../model/features';
+import {
+  clearFeatures,
+  exportFeatures,
+  followCreases,
+  followRims,
+  mirrorMap,
+} from '../actions/features';
+import { featuresText, hasEdges, hasFeatures } from '../model/features';
 import { plural } from '../text/format';
 import { Panel } from './panel';
 
@@ -28,10 +34,12 @@ class FeaturesPanel extends Panel {
         />
         ${text}
       </label>`;
-    const { hasCreases = false, hasRims = false } = features ?? {};
+    const { hasCreases = false, hasRims = false, isSymmetric = false } = features ?? {};
+    const hasMirror = (model.info.mirrors ?? []).length > 0;
     return html`<p>
         ${tick('follow-creases', 'Lines follow creases', hasCreases, (isOn) => followCreases(this.app, isOn))}
         ${loops > 0 ? tick('follow-rims', 'Lines follow rims', hasRims, (isOn) => followRims(this.app, isOn)) : nothing}
+        ${hasMirror ? tick('symmetric', 'Symmetric map', isSymmetric, (isOn) => mirrorMap(this.app, isOn)) : nothing}
         <small
           >${isPossible ? 'These edges become straight lines of the map, exactly; Run chooses cones that fit.' : `Lines along edges need q = 4, not ${doc.prescription.q}.`}</small
         >
@@ -49,14 +57,7 @@ class FeaturesPanel extends Panel {
     const isDone = current?.features !== undefined && current.result.certificate.certified;
     return html`<p class="note" id="features-note">
       ${isDone ? text[0].toUpperCase() + text.slice(1) : `After Run, ${text}`}${inside}.
-      <button
-        type="button"
-        class="small"
-        id="features-export"
-        @click=${() => void attempt(this.app, () => exportFeatures(this.app))}
-      >
-        Save the list
-      </button>
+      ${hasEdges(features) ? this.#exporter() : nothing}
       <button
         type="button"
         class="small"
@@ -67,6 +68,17 @@ class FeaturesPanel extends Panel {
         None
       </button>
     </p>`;
+  }
+
+  #exporter(): TemplateResult {
+    return html`<button
+      type="button"
+      class="small"
+      id="features-export"
+      @click=${() => void attempt(this.app, () => exportFeatures(this.app))}
+    >
+      Save the list
+    </button>`;
   }
 }
 customElements.define('hgp-features-panel', FeaturesPanel);

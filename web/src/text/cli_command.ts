@@ -76,9 +76,9 @@ function solveWords(options: CommandOptions): string[] {
   return words;
 }
 
-function featureWords({ hasRims, edges }: FeatureChoice, stem: string): string[] {
+function featureWords({ hasRims, edges, isSymmetric }: FeatureChoice, stem: string): string[] {
   const list = edges.length > 0 ? ['--features', quoted(`${stem}.features.json`)] : [];
-  return [...(hasRims ? ['--rims'] : []), ...list];
+  return [...(hasRims ? ['--rims'] : []), ...list, ...(isSymmetric ? ['--symmetric=auto'] : [])];
 }
 
 function outputWords(output: CommandOutput): string[] {

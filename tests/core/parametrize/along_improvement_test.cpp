@@ -104,7 +104,8 @@ Straight straightOf(const test::CreasedShape& shape, PreparedSurface& surface) {
   std::vector<StageTime> times;
   std::vector<Round> rounds;
   Straight out{*prepareStraight(surface, shape.features, HolonomySpec{}, {}, times), {}};
-  StraightRun run(shape.mesh, out.setup, {}, rounds);
+  const ParametrizeOptions options;
+  StraightRun run(shape.mesh, out.setup, options, rounds);
   const Eigen::VectorXd values = run.run()->program.x;
   out.x = Eigen::VectorXcd::Zero(out.setup.seamless.unknowns.count);
   setParts(values, out.setup.unknowns.variable, out.x);

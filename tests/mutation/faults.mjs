@@ -146,7 +146,7 @@ export const faults = [
     'rotation(unknowns.turn',
     short('HarmonicRows.AreThePapersFormulaForEveryDegree'),
   ),
-  fault('system/harmonic.cpp', '|| isCone[v]', ''),
+  fault('system/harmonic.cpp', ' && !isCone[v]', ''),
   fault('system/reduced_unknowns.cpp', 'one - Ring::turned(', 'one + Ring::turned('),
   fault(
     'system/reduced_unknowns.cpp',
@@ -164,7 +164,7 @@ export const faults = [
   ),
   fault('io/gltf/decode/accessor.cpp', 'value / 32767.0', 'value / 32768.0'),
   fault(
-    'io/polygon/obj_text.cpp',
+    'io/polygon/obj_scanner.cpp',
     'index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) : -1;',
     'index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) - 1 : -1;',
   ),
@@ -177,7 +177,11 @@ export const faults = [
     'return p == p;',
     { programs: ['grid', 'api'] },
   ),
-  fault('parametrize/strategy/loop.cpp', '!best || isBetter(*attempt, *best)', 'true'),
+  fault(
+    'parametrize/strategy/loop.cpp',
+    '!best || distanceToCertified(*attempt) < distanceToCertified(*best)',
+    'true',
+  ),
   fault(
     'api/stored/stored_map.cpp',
     'components[p].certificate.precision == options.precision &&\n               isSame(stored, components[p].map)',
@@ -326,7 +330,7 @@ export const faults = [
   fault('system/reduced_unknowns.cpp', '- R * value(cut.copy[left]);', '- value(cut.copy[left]);'),
   fault(
     'parametrize/after/solution.cpp',
-    'return improveOnGrid(mesh, options, aligned.multiplyAddsLeft, mapped, result);',
+    'return improveOnGrid(mesh, options, heldByGrid(setup, options.grid.mode),\n                       aligned.multiplyAddsLeft, mapped, result);',
     'return Done{};',
     short('GridImprovement.GainsWhileEveryIntegerStaysWhereAlignmentPutIt'),
   ),

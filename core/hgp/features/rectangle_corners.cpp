@@ -43,7 +43,8 @@ std::vector<Candidate> verticesOf(const TriMesh& mesh, const Geometry& geometry,
   }
   for (Candidate& c : all) c.place /= length;
   const auto placeOf = [&](std::size_t j) {
-    return all[j % n].place + static_cast<double>(j / n) - 1.0;
+    const std::size_t rounds = j / n;
+    return all[j % n].place + static_cast<double>(rounds) - 1.0;
   };
   std::vector<double> sum(3 * n + 1, 0.0), moment(3 * n + 1, 0.0);  // of the turnings before j
   for (std::size_t j = 0; j < 3 * n; ++j) {

@@ -85,20 +85,16 @@ AngleFacts measureAngles(const TriMesh& mesh, const Topology& topology, const As
   }
   for (VertexId v : mesh.vertices()) {
     if (mesh.isIsolated(v)) continue;
-    if (mesh.isBoundary(v)) {
-      if (sum[v] > 2.0 * kPi + rule.tolerance) facts.overlapping.push_back(v);
-      if (asked.k[v] == 0) continue;
-    }
+    const bool isInside = !mesh.isBoundary(v);
+    if (!isInside && sum[v] > 2.0 * kPi + rule.tolerance) facts.overlapping.push_back(v);
+    if (!isInside && asked.k[v] == 0) continue;
     const int k = nearestTurn(sum[v], asked.q);
     MeasuredCone cone{compare(sum[v], k, asked.q, rule, rule.rounding[v], rule.explained[v]), v,
                       asked.k[v], k};
-    if (mesh.isBoundary(v)) {
-      if (cone.measured != cone.asked || cone.isTooFar()) facts.wrong.push_back(cone);
-      continue;
-    }
-    if (asked.isAnyConeAllowed && !asked.isCone[v]) cone.asked = std::max(1, k);
-    if (asked.isCone[v] || k != asked.q) facts.cones.push_back(cone);
+    if (isInside && asked.isAnyConeAllowed && !asked.isCone[v]) cone.asked = std::max(1, k);
     if (cone.measured != cone.asked || cone.isTooFar()) facts.wrong.push_back(cone);
+    if (!isInside) continue;
+    if (asked.isCone[v] || k != asked.q) facts.cones.push_back(cone);
     facts.turnSum += asked.q - k;
     if (cone.distance > facts.worstDistance || !facts.worstVertex.isValid()) {
       facts.worstDistance = cone.distance;

@@ -79,7 +79,7 @@ std::vector<Candidate> candidatesOf(const TriMesh& mesh, const Geometry& geometr
   for (auto i = order.begin(); i != most; ++i) isCandidate[*i] = 1;
   for (std::size_t i = 0; i < all.size();) {
     const auto stretchOf = [&](std::size_t j) { return std::floor(all[j].place * kStretches); };
-    std::size_t best = i, end = i;
+    std::size_t best = i, end = i + 1;
     for (; end < all.size() && stretchOf(end) == stretchOf(i); ++end)
       if (all[end].turning > all[best].turning) best = end;
     isCandidate[best] = 1;

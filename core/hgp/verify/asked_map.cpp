@@ -38,16 +38,17 @@ void takeCorners(const TriMesh& mesh, const Topology& topology, const HolonomySp
   std::vector<Where> strays;
   for (const ConePoint& c : asked.corners) {
     const bool isThere = c.vertex.i >= 0 && c.vertex.i < mesh.vertexCount();
-    if (!isThere || !mesh.isBoundary(c.vertex) || k[c.vertex] != 0 || c.k < 1)
+    if (!isThere || !mesh.isBoundary(c.vertex) || k[c.vertex] != 0 || c.k < 1 || asked.q % 2 != 0)
       strays.push_back(placeOf(c.vertex));
     else
       k[c.vertex] = c.k;
   }
   if (!strays.empty())
-    out.mismatches.push_back(mismatch(
-        formatText("%zu corner%s given twice, without an angle or not at a boundary vertex.",
-                   strays.size(), strays.size() == 1 ? " is" : "s are"),
-        strays));
+    out.mismatches.push_back(
+        mismatch(formatText("%zu corner%s given twice, without an angle, with an odd q or not at a "
+                            "boundary vertex.",
+                            strays.size(), strays.size() == 1 ? " is" : "s are"),
+                 strays));
   for (const BoundaryLoop& loop : topology.loops) {
     const auto hasCorner = [&](HalfedgeId h) { return k[mesh.tail(h)] != 0; };
     if (std::none_of(loop.halfedges.begin(), loop.halfedges.end(), hasCorner)) continue;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "along.h"
 #include "hgp/features/field_along.h"
 #include "hgp/grid/snap.h"
 #include "hgp/optimize/feature_lengths.h"
@@ -15,14 +16,6 @@
 namespace hgp {
 namespace {
 
-Result<Parametrization> along(const TriMesh& mesh, const std::vector<EdgeId>& features,
-                              const ParametrizeOptions& options = {}) {
-  PreparedSurface surface(mesh);
-  HolonomySpec spec;
-  spec.features = features;
-  return parametrizeAlongFeatures(surface, spec, options);
-}
-
 void expectStraight(const std::string& name, const TriMesh& mesh, const Parametrization& run) {
   EXPECT_TRUE(run.isCertified) << name << ": "
                                << (run.certificate.reasons.empty()
@@ -30,22 +23,12 @@ void expectStraight(const std::string& name, const TriMesh& mesh, const Parametr
                                        : run.certificate.reasons[0].message);
   EXPECT_EQ(run.certificate.features.edges, static_cast<int>(run.spec.features.size())) << name;
   EXPECT_EQ(run.certificate.features.straightChains, run.certificate.features.chains) << name;
-  // Once more by hand: a common coordinate on every side of every feature edge.
-  const auto uv = [&](HalfedgeId h) {
-    return run.map.uv[at(run.map.cornerUv[at(h.i / 3)][at(h.i % 3)])];
-  };
-  for (EdgeId e : run.spec.features) {
-    HalfedgeId h = mesh.halfedge(e);
-    for (int side = 0; side < 2 && h.isValid(); ++side, h = mesh.twin(h)) {
-      const Vec2 a = uv(h), b = uv(TriMesh::next(h));
-      EXPECT_TRUE((a[0] == b[0]) != (a[1] == b[1])) << name << " edge " << e.i;
-    }
-  }
+  test::expectOnLines(name, mesh, run, false);  // once more by hand
 }
 
 TEST(AlongFeatures, MapsAreCertifiedAndStraight) {
   for (const test::CreasedShape& shape : test::creasedShapes()) {
-    const Result<Parametrization> run = along(shape.mesh, shape.features);
+    const Result<Parametrization> run = test::along(shape.mesh, shape.features);
     ASSERT_TRUE(run) << shape.name;
     expectStraight(shape.name, shape.mesh, *run);
   }
@@ -57,14 +40,14 @@ TEST(AlongFeatures, AnUnknownThatNoRowHoldsIsNoObstacle) {
       {{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {1, 3, 2}}});
   const std::vector<EdgeId> rim = test::creasesOf(mesh);
   EXPECT_EQ(rim.size(), 4u);
-  const Result<Parametrization> run = along(mesh, rim);
+  const Result<Parametrization> run = test::along(mesh, rim);
   ASSERT_TRUE(run);
   expectStraight("pillow", mesh, *run);
 }
 
 TEST(AlongFeatures, StayExactlyStraightInTheNumbersOfEveryFormat) {
   for (const test::CreasedShape& shape : test::creasedShapes()) {
-    const Result<Parametrization> run = along(shape.mesh, shape.features);
+    const Result<Parametrization> run = test::along(shape.mesh, shape.features);
     ASSERT_TRUE(run) << shape.name;
     std::vector<VertexId> cones;
     for (const ConePoint& cone : run->spec.cones) cones.push_back(cone.vertex);
@@ -88,7 +71,7 @@ TEST(AlongFeatures, StayExactlyStraightInTheNumbersOfEveryFormat) {
 
 TEST(AlongFeatures, ASquareGridIsMappedToARectangle) {
   const TriMesh mesh = test::jittered(test::grid(9, 6), 0.0).mesh();
-  const Result<Parametrization> run = along(mesh, test::creasesOf(mesh));
+  const Result<Parametrization> run = test::along(mesh, test::creasesOf(mesh));
   ASSERT_TRUE(run);
   EXPECT_EQ(run->certificate.features.corners, 4);
   EXPECT_LT(run->certificate.distortion.maxMu, 1e-3);
@@ -102,14 +85,14 @@ TEST(AlongFeatures, SomeEdgesOfASphereMayDangle) {
                                      mesh.edge(HalfedgeId(900))};
   std::vector<EdgeId> sorted = features;
   std::sort(sorted.begin(), sorted.end());
-  const Result<Parametrization> run = along(mesh, sorted);
+  const Result<Parametrization> run = test::along(mesh, sorted);
   ASSERT_TRUE(run);
   expectStraight("dangling", mesh, *run);
 }
 
 TEST(AlongFeatures, RimsAreFeaturesWithAnyOther) {
   const TriMesh mesh = test::cylinder(16, 6).mesh();
-  const Result<Parametrization> run = along(mesh, {mesh.edge(HalfedgeId(50))});
+  const Result<Parametrization> run = test::along(mesh, {mesh.edge(HalfedgeId(50))});
   ASSERT_TRUE(run);
   EXPECT_GE(run->spec.features.size(), 32u);
   expectStraight("cylinder", mesh, *run);
@@ -118,7 +101,7 @@ TEST(AlongFeatures, RimsAreFeaturesWithAnyOther) {
 TEST(AlongFeatures, ConesOfTheFieldMayBePrescribedAndNoOthers) {
   const TriMesh mesh = test::cube(4).mesh();
   const std::vector<EdgeId> features = test::creasesOf(mesh);
-  const Result<Parametrization> first = along(mesh, features);
+  const Result<Parametrization> first = test::along(mesh, features);
   ASSERT_TRUE(first);
   PreparedSurface surface(mesh);
   HolonomySpec spec = toSpec(first->spec);
@@ -198,7 +181,7 @@ TEST(AlongFeatures, RefusesWhatDoesNotGoTogether) {
   const std::vector<EdgeId> features = test::creasesOf(mesh);
   ParametrizeOptions frames;
   frames.frames.emplace();
-  const Result<Parametrization> run = along(mesh, features, frames);
+  const Result<Parametrization> run = test::along(mesh, features, frames);
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, ErrorCode::kUsage);
   PreparedSurface surface(mesh);
@@ -254,7 +237,7 @@ TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
   EXPECT_GT(lengthsOf(mesh, rims).excess, 0.5);
   for (HalfedgeId h : lengthsOf(mesh, rims).edges)
     EXPECT_NE(mesh.position(mesh.tail(h))[2], mesh.position(mesh.head(h))[2]);
-  const Result<Parametrization> run = along(mesh, rims);
+  const Result<Parametrization> run = test::along(mesh, rims);
   ASSERT_TRUE(run);
   expectStraight("stepped cylinder", mesh, *run);
   EXPECT_EQ(run->certificate.features.corners, 0);
@@ -294,7 +277,7 @@ TEST(AlongFeatures, CornersMoveWhereTheirLengthsContradictEachOther) {
     }
     const TriMesh mesh = test::meshOf(data);
     const std::vector<EdgeId> creases = test::creasesOf(mesh);
-    const Result<Parametrization> run = along(mesh, creases);
+    const Result<Parametrization> run = test::along(mesh, creases);
     ASSERT_TRUE(run) << n;
     expectStraight("prism of " + std::to_string(n) + " sides", mesh, *run);
   }
@@ -319,7 +302,7 @@ TEST(AlongFeatures, IsCancelled) {
   const TriMesh mesh = test::cube(4).mesh();
   ParametrizeOptions options;
   options.progress = [](const ProgressReport& r) { return r.stage != Stage::kSolve; };
-  const Result<Parametrization> run = along(mesh, test::creasesOf(mesh), options);
+  const Result<Parametrization> run = test::along(mesh, test::creasesOf(mesh), options);
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, ErrorCode::kCancelled);
 }

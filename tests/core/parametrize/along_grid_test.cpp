@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "along.h"
 #include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/along/along_features.h"
 #include "hgp/quads/quads.h"
@@ -15,12 +16,9 @@ namespace {
 
 Result<Parametrization> onGrid(const TriMesh& mesh, const std::vector<EdgeId>& features,
                                const GridOptions& grid) {
-  PreparedSurface surface(mesh);
-  HolonomySpec spec;
-  spec.features = features;
   ParametrizeOptions options;
   options.grid = grid;
-  return parametrizeAlongFeatures(surface, spec, options);
+  return test::along(mesh, features, options);
 }
 
 bool isWhole(double x) { return x == std::nearbyint(x); }

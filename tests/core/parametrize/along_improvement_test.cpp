@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "along.h"
 #include "hgp/improve/improve.h"
 #include "hgp/parametrize/after/real_pairs.h"
-#include "hgp/parametrize/along/along_features.h"
 #include "hgp/parametrize/along/straight_run.h"
 #include "support/creases.h"
 #include "support/random.h"
@@ -13,35 +13,9 @@
 namespace hgp {
 namespace {
 
-Result<Parametrization> improvedAlong(const TriMesh& mesh, const std::vector<EdgeId>& features,
-                                      const ParametrizeOptions& options) {
-  PreparedSurface surface(mesh);
-  HolonomySpec spec;
-  spec.features = features;
-  return parametrizeAlongFeatures(surface, spec, options);
-}
-
 double numberAsked(double balance, const DistortionFacts& facts) {
   if (balance < 0.0) return facts.meanMu;
   return balance > 0.0 ? facts.rmsLogArea : facts.symmetricDirichlet;
-}
-
-/// A common coordinate on every side of every feature edge; with a grid it is an integer.
-void expectOnLines(const std::string& name, const TriMesh& mesh, const Parametrization& run,
-                   bool isOnIntegers) {
-  EXPECT_TRUE(run.isCertified) << name;
-  const auto uv = [&](HalfedgeId h) {
-    return run.map.uv[at(run.map.cornerUv[at(h.i / 3)][at(h.i % 3)])];
-  };
-  for (EdgeId e : run.spec.features) {
-    HalfedgeId h = mesh.halfedge(e);
-    for (int side = 0; side < 2 && h.isValid(); ++side, h = mesh.twin(h)) {
-      const Vec2 a = uv(h), b = uv(TriMesh::next(h));
-      ASSERT_TRUE((a[0] == b[0]) != (a[1] == b[1])) << name << " edge " << e.i;
-      const double line = a[0] == b[0] ? a[0] : a[1];
-      EXPECT_TRUE(!isOnIntegers || line == std::nearbyint(line)) << name << " edge " << e.i;
-    }
-  }
 }
 
 TEST(AlongImprovement, LowersWhatItIsAskedForAndKeepsLines) {
@@ -50,9 +24,10 @@ TEST(AlongImprovement, LowersWhatItIsAskedForAndKeepsLines) {
     for (const double balance : {-1.0, 0.0, 1.0}) {
       ParametrizeOptions options;
       options.improve.emplace().balance = balance;
-      const Result<Parametrization> run = improvedAlong(shape.mesh, shape.features, options);
+      const Result<Parametrization> run = test::along(shape.mesh, shape.features, options);
       ASSERT_TRUE(run) << shape.name;
-      expectOnLines(shape.name, shape.mesh, *run, false);
+      EXPECT_TRUE(run->isCertified) << shape.name;
+      test::expectOnLines(shape.name, shape.mesh, *run, false);
       ASSERT_TRUE(run->improvement) << shape.name;
       const double before = numberAsked(balance, run->improvement->before);
       const double after = numberAsked(balance, run->certificate.distortion);
@@ -73,10 +48,11 @@ TEST(AlongImprovement, OnAGridWhatIsOnIntegersStaysThere) {
       options.grid.cells = 900;
       options.grid.mode = mode;
       options.improve.emplace();
-      const Result<Parametrization> run = improvedAlong(shape.mesh, shape.features, options);
+      const Result<Parametrization> run = test::along(shape.mesh, shape.features, options);
       ASSERT_TRUE(run) << shape.name;
       ASSERT_TRUE(run->grid && run->grid->isAligned) << shape.name;
-      expectOnLines(shape.name, shape.mesh, *run, true);
+      EXPECT_TRUE(run->isCertified) << shape.name;
+      test::expectOnLines(shape.name, shape.mesh, *run, true);
       EXPECT_EQ(run->certificate.exactSeams.integer,
                 static_cast<int>(run->certificate.seams.seams.size()))
           << shape.name;
@@ -203,7 +179,7 @@ TEST(AlongImprovement, IsCancelled) {
     options.improve.emplace();
     options.grid.cells = 500;
     options.progress = [&](const ProgressReport& r) { return r.stage != stage; };
-    const Result<Parametrization> run = improvedAlong(mesh, test::creasesOf(mesh), options);
+    const Result<Parametrization> run = test::along(mesh, test::creasesOf(mesh), options);
     ASSERT_FALSE(run);
     EXPECT_EQ(run.error().code, ErrorCode::kCancelled);
   }

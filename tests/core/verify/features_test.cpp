@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hgp/verify/angles.h"
@@ -53,8 +54,9 @@ TEST(Features, OfARectangleAreFourChainsWithFourCorners) {
 
 TEST(Features, CornersAreWhereTheyAreAskedFor) {
   const FlatMap flat(test::grid(5, 3));
-  const auto reasons = [&](std::vector<ConePoint> corners) {
+  const auto reasons = [&](std::vector<ConePoint> corners, int q = 4) {
     HolonomySpec spec;
+    spec.q = q;
     spec.features = flat.features;
     spec.corners = std::move(corners);
     return certify(flat.mesh, spec, flat.map).reasons;
@@ -62,6 +64,11 @@ TEST(Features, CornersAreWhereTheyAreAskedFor) {
   const auto point = [](int v, int k) { return ConePoint{VertexId(v), k}; };
   const std::vector<ConePoint> there = {point(0, 1), point(5, 1), point(18, 1), point(23, 1)};
   EXPECT_TRUE(reasons(there).empty());
+  // With an odd q nothing is straight: π is no multiple of 2π/q.
+  const std::vector<Reason> odd = reasons(there, 3);
+  EXPECT_TRUE(std::any_of(odd.begin(), odd.end(), [](const Reason& r) {
+    return r.rule == Rule::kPrescription && r.count == 4;
+  }));
   const auto expectWrong = [&](std::vector<ConePoint> corners, Rule rule, int count) {
     const std::vector<Reason> found = reasons(std::move(corners));
     ASSERT_EQ(found.size(), 1u);

@@ -16,7 +16,7 @@
 namespace hgp::bench {
 namespace {
 
-constexpr int kPieces = kMostThreads;
+constexpr int kPieces = kMaxThreads;
 
 template <class T>
 T wanted(Result<T> result) {

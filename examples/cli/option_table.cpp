@@ -98,7 +98,7 @@ class Table {
                     "Compute with this many threads, 1 to 16 (default: one per processor, at most "
                     "16); results do not depend on it")
         ->option_text("N")
-        ->check(CLI::Range(1, kMostThreads));
+        ->check(CLI::Range(1, kMaxThreads));
     sub->option_defaults()->group("Messages");
     sub->add_option("--json", out_.json,
                     "Write the machine-readable report to this file (- for standard output)")

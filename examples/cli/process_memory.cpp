@@ -4,19 +4,46 @@
 
 #if defined(__GLIBC__) && !defined(HGP_PORTABLE)
 #include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
-#include <climits>
+#include <algorithm>
+#include <cstdint>
 #endif
 
 namespace hgp::cli {
+
+#if defined(__GLIBC__) && !defined(HGP_PORTABLE)
+namespace {
+
+/// Makes the heap so large, in addresses alone, and asks the kernel for pages of 2 MB there. False if it cannot be.
+bool reserveInLargePages(std::size_t bytes) {
+  void* const reserved = std::malloc(bytes);
+  if (reserved == nullptr) return false;
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto at = reinterpret_cast<std::uintptr_t>(reserved);
+  const std::uintptr_t begin = (at + page - 1) / page * page, end = (at + bytes) / page * page;
+  madvise(reinterpret_cast<void*>(begin), end - begin,
+          MADV_HUGEPAGE);  // a wish; failing changes nothing
+  std::free(reserved);
+  return true;
+}
+
+}  // namespace
+#endif
 
 void keepFreedMemory() {
 #if defined(__GLIBC__) && !defined(HGP_PORTABLE)
   // All memory comes from one heap that does not shrink, for all threads; if it cannot grow, malloc falls back to mmap.
   mallopt(M_ARENA_MAX, 1);
   mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 8 << 20);
+  constexpr std::size_t kMaxReserved = std::size_t{1} << 33, kMinReserved = std::size_t{1} << 26;
+  const auto pages = static_cast<std::size_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
+  const std::size_t half = pages / 2 * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  for (std::size_t bytes = std::min(half, kMaxReserved); bytes >= kMinReserved; bytes /= 2)
+    if (reserveInLargePages(bytes)) break;
 #endif
 }
 

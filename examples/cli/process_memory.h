@@ -4,9 +4,10 @@
 
 namespace hgp::cli {
 
-/// Makes freed memory be reused instead of being returned to the system. A run allocates and frees large blocks all
-/// the time, and every new page costs a page fault and its clearing: 8 % of the time for a million triangles. Memory
-/// limits do not change.
+/// Makes freed memory be reused instead of being returned to the system, and asks for pages of 2 MB where the system has
+/// them (Linux with glibc). A run allocates and frees large blocks all the time, and every new page costs a page fault and
+/// its clearing: of pages of 4 KB, a fifth of the time for 100 000 triangles (docs/decisions/102). Memory limits do not
+/// change; what is reserved are addresses, of which those in use count as memory.
 void keepFreedMemory();
 
 }  // namespace hgp::cli

@@ -12,7 +12,7 @@ namespace hgp {
 namespace {
 
 /// Work of fewer nanoseconds is not worth waking a thread for.
-constexpr double kLeastShared = 2e5;
+constexpr double kMinShared = 2e5;
 /// Subtrees per thread, so that all are busy until few are left.
 constexpr double kSubtreesPerThread = 8.0;
 
@@ -96,7 +96,7 @@ ForestWork::ForestWork(const std::vector<int>& parent, const std::vector<double>
     isVisited_[t] = cost[t] >= 0.0;
     if (isVisited_[t]) total += cost[t];
   }
-  slots_ = total < kLeastShared ? 1 : threadCount();
+  slots_ = total < kMinShared ? 1 : threadCount();
   if (slots() > 1) makeItems(parent, cost, total / (kSubtreesPerThread * slots_));
 }
 

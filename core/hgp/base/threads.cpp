@@ -29,7 +29,7 @@ int availableThreads() { return 1; }
 #else
 
 int availableThreads() {
-  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxThreads);
 }
 
 /// The threads of one scope. Work is offered in a list; idle threads take part in the latest.
@@ -157,7 +157,7 @@ int defaultThreads() { return threadsWithoutScope; }
 
 ThreadScope::ThreadScope(int threads)
     : team_(std::make_unique<Team>(threads <= 0 ? availableThreads()
-                                                : std::min(threads, kMostThreads))),
+                                                : std::min(threads, kMaxThreads))),
       outer_(teamHere()) {
   teamHere() = team_.get();
 }

@@ -5,9 +5,9 @@
 
 namespace hgp {
 
-inline constexpr int kMostThreads = 16;
+inline constexpr int kMaxThreads = 16;
 
-/// The processors that this process may run on, from 1 to kMostThreads; 1 in builds without threads (HGP_THREADS=OFF,
+/// The processors that this process may run on, from 1 to kMaxThreads; 1 in builds without threads (HGP_THREADS=OFF,
 /// WebAssembly).
 int availableThreads();
 
@@ -29,7 +29,7 @@ int defaultThreads();
 /// place for as long as it exists. Programs that call the library from many threads of their own want setThreads(1).
 class ThreadScope {
  public:
-  /// @param threads  1 … kMostThreads, more counts as kMostThreads; 0 or less: availableThreads()
+  /// @param threads  1 … kMaxThreads, more counts as kMaxThreads; 0 or less: availableThreads()
   explicit ThreadScope(int threads);
   ~ThreadScope();
   ThreadScope(const ThreadScope&) = delete;

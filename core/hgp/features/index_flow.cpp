@@ -16,7 +16,7 @@ constexpr double kEdgeCost = 0.05;
 /// Largest gain by a single unit that a longer path may still have: searches end there.
 constexpr double kLargestGain = 12.0;
 /// Nodes that are looked at for the cheapest moves.
-constexpr int kMostVisited = 2000;
+constexpr int kMaxVisited = 2000;
 /// Cost of an index per unit beyond its bounds.
 constexpr double kImpossible = 1e6;
 
@@ -53,7 +53,7 @@ class IndexFlow {
     search(start, [&](int n, double d) {
       const double all = own + d + changeOf(n, -sign);
       if (n != start && all < 0.5 * kImpossible) moves.push_back({stepsTo(n, start, sign), all});
-      return ++visited < kMostVisited;
+      return ++visited < kMaxVisited;
     });
     const auto isCheaper = [](const IndexMove& a, const IndexMove& b) { return a.cost < b.cost; };
     std::stable_sort(moves.begin(), moves.end(), isCheaper);

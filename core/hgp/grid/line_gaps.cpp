@@ -12,7 +12,7 @@ namespace {
 
 /// Triangles that one ray crosses, and that are looked at around one cone, at most.
 constexpr int kLongestRay = 20'000;
-constexpr std::size_t kMostAround = 20'000;
+constexpr std::size_t kMaxAround = 20'000;
 /// Points are kept apart within this share of the reach of lines.
 constexpr double kPointShare = 0.25;
 
@@ -163,7 +163,7 @@ class GapFinder {
     const Complex origin = at(first);
     std::vector<Seen> queue{{TriMesh::face(first), 0.0, 0, {}}};
     std::set<FaceId> isSeen{TriMesh::face(first)};
-    for (std::size_t n = 0; n < queue.size() && n < kMostAround; ++n)
+    for (std::size_t n = 0; n < queue.size() && n < kMaxAround; ++n)
       for (int k = 0; k < 3; ++k) {
         const Seen own = queue[n];
         const HalfedgeId h = TriMesh::halfedge(own.face, k);

@@ -214,7 +214,7 @@ ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const Mi
   Walk walk(from, to, plane, tolerance);
   HalfedgeId g;  // the last start, and how far it is from the place
   double reached = -1.0;
-  for (std::size_t n = 0; n < kMostStarts; ++n) {
+  for (std::size_t n = 0; n < kMaxStarts; ++n) {
     HalfedgeId next;
     double nearest = tolerance;
     for (HalfedgeId k : to.halfedges()) {

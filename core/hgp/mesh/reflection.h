@@ -44,10 +44,10 @@ struct ReflectionSearch {
   FaceId without;   ///< a triangle without an image
 };
 
-/// Finds it by walking over both surfaces at once from a triangle and its image, O(|F|) for each of at most kMostStarts triangles
+/// Finds it by walking over both surfaces at once from a triangle and its image, O(|F|) for each of at most kMaxStarts triangles
 /// at the mirrored place of the largest one, the nearest first.
 /// @param tolerance  in units of the surface; @pre both connected
-inline constexpr std::size_t kMostStarts = 16;
+inline constexpr std::size_t kMaxStarts = 16;
 ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const MirrorPlane& plane,
                                 double tolerance);
 

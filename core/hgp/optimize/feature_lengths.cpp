@@ -11,7 +11,7 @@
 namespace hgp {
 namespace {
 
-constexpr int kMostNewtonSteps = 60;
+constexpr int kMaxNewtonSteps = 60;
 /// Weight of |x|², relative to the matrix: what no edge determines stays 0.
 constexpr double kHold = 1e-9;
 /// Shares of the largest shortfall and of 1: shorter edges are listed, and none is beyond doubt positive.
@@ -130,7 +130,7 @@ LengthFit fitLengths(const StraightSystem& straight) {
   linalg::MultifrontalCholesky<double> factor;
   const linalg::Graph graph = linalg::graphOf(G.normal(r, hold));
   factor.analyze(graph, linalg::nestedDissection(graph));
-  for (int step = 0; step < kMostNewtonSteps; ++step) {
+  for (int step = 0; step < kMaxNewtonSteps; ++step) {
     if (!factor.factor(G.normal(r, hold))) break;
     const Eigen::VectorXd down = G.transposedTimes(r) - hold * x;
     const Eigen::VectorXd dx = factor.solve(Eigen::MatrixXd(down)).col(0);

@@ -14,7 +14,7 @@ namespace hgp {
 namespace {
 
 /// With more flipped triangles than this nothing is done, nor at vertices of more triangles.
-constexpr int kMostFlipped = 32;
+constexpr int kMaxFlipped = 32;
 constexpr int kLargestRing = 24;
 /// Passes over the vertices of flipped triangles and their neighbours.
 constexpr int kPasses = 40;
@@ -68,7 +68,7 @@ class Kernels {
   int run() {
     std::vector<FaceId> flipped = findFlipped();
     for (int pass = 0; pass < kPasses && !flipped.empty(); ++pass) {
-      if (static_cast<int>(flipped.size()) > kMostFlipped) break;
+      if (static_cast<int>(flipped.size()) > kMaxFlipped) break;
       bool isMoved = false;
       for (VertexId v : verticesNear(flipped, pass % 2 == 1)) isMoved = move(v) || isMoved;
       flipped = findFlipped();

@@ -28,7 +28,7 @@ constexpr double kMinDecrease = 1e-4;
 constexpr int kSegmentSteps = 15;
 constexpr int kFramedSegments = 8;
 /// So many where each still leaves at most this share of the flips of the one before.
-constexpr int kMostFramedSegments = 16;
+constexpr int kMaxFramedSegments = 16;
 constexpr double kWorthwhile = 0.93;
 /// Weight of a triangle's own direction relative to its neighbours' when frames follow the map, and
 /// the number of Jacobi sweeps.
@@ -48,7 +48,7 @@ class Untangler {
     UntangleResult result;
     x_ = free_.gather(start);
     isFramed_ = true;
-    for (int segment = 0, before = 0; segment < kMostFramedSegments; ++segment) {
+    for (int segment = 0, before = 0; segment < kMaxFramedSegments; ++segment) {
       for (Face& face : faces_) face.isBarrier = false;
       if (!descend(result, kSegmentSteps)) break;
       if (result.flipped == 0) break;

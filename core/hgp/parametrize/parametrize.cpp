@@ -21,8 +21,8 @@ constexpr int kUnevenRounds = 8;
 /// untanglings; with each of these; their number; and iterations × triangles with all of them, about ten seconds.
 constexpr double kStepsOfHandles = 350.0;
 constexpr double kStepsOfOthers = 230.0;
-constexpr int kMostHandles = 8;
-constexpr double kMostHandleSteps = 6e6;
+constexpr int kMaxHandles = 8;
+constexpr double kMaxHandleSteps = 6e6;
 
 bool isUneven(const TriMesh& mesh, const Geometry& geometry) {
   const auto isThin = [&](FaceId f) {
@@ -115,7 +115,7 @@ Result<Parametrization> withOtherHandles(PreparedSurface& surface, const Holonom
   double steps = 0.0;
   for (const std::vector<int>& handles :
        otherHandles(surface.mesh(), surface.context(), spec, before.spec)) {
-    if (tried++ == kMostHandles || steps > kMostHandleSteps) break;
+    if (tried++ == kMaxHandles || steps > kMaxHandleSteps) break;
     HolonomySpec other = spec;
     other.turning.assign(before.spec.turning.begin(), before.spec.turning.end());
     other.handles.assign(handles.begin(), handles.end());

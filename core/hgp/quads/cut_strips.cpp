@@ -220,7 +220,7 @@ Result<CutQuads> cutStrips(const TriMesh& mesh, const UvMap& map, int q) {
   QuadNet plain = net.plain();
   std::optional<CutQuads> cut = withLines(net, plain.mesh);
   const auto size = static_cast<int>(plain.mesh.quads.size());
-  if (cut && cut->added <= kMostAdded * size) return std::move(*cut);
+  if (cut && cut->added <= kMaxAdded * size) return std::move(*cut);
   if (std::optional<Refilled> refilled = refill(std::move(plain))) {
     const int added = static_cast<int>(refilled->quads.quads.size()) - size;
     if (cut && cut->added <= kWorthwhile * added) return std::move(*cut);

@@ -15,7 +15,7 @@ struct CutQuads {
 
 /// Strips that add at most this share of quads are cut, or at most this multiple of what replacing edges adds;
 /// otherwise edges are replaced.
-inline constexpr double kMostAdded = 0.08;
+inline constexpr double kMaxAdded = 0.08;
 inline constexpr int kWorthwhile = 2;
 
 /// The quads of a map without multiple edges (countMultipleEdges): with a few grid lines in addition where they are short,

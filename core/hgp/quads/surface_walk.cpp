@@ -10,7 +10,7 @@
 namespace hgp {
 namespace {
 
-constexpr int kMostSteps = 1000;
+constexpr int kMaxSteps = 1000;
 
 double crossed(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 Vec2 between(const Vec2& a, const Vec2& b) { return {b[0] - a[0], b[1] - a[1]}; }
@@ -84,7 +84,7 @@ std::optional<SurfacePoint> walkStraight(const TriMesh& mesh, const SurfacePoint
   Vec2 p{dot(offset, edge) / base, dot(cross(n, along), offset) / (norm(n) * norm(along))};
 
   HalfedgeId entered;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     // The first side that the walk leaves through.
     double nearest = length;
     std::size_t exit = 3;

@@ -9,11 +9,11 @@ namespace hgp {
 namespace {
 
 constexpr double kHalfRootOf3 = 0.5 * std::numbers::sqrt3;
-constexpr double kMostHalfSteps = 0x1p53;  ///< of u, which is exact
+constexpr double kMaxHalfSteps = 0x1p53;  ///< of u, which is exact
 /// Stored numbers are at least this much finer than the lattice: the smallest by the power of two of which all are
 /// multiples, the largest by the digits of a double.
 constexpr double kFinerThan = 0.25;
-constexpr double kMostSteps = 0x1p51;  ///< of v
+constexpr double kMaxSteps = 0x1p51;  ///< of v
 
 /// The exponent of the lowest set bit of x. @pre finite, not 0
 int lowestBit(double x) {
@@ -32,8 +32,8 @@ struct Steps {
 std::optional<SeamPoint> pointAt(const Vec2& uv, const Steps& steps) {
   const double halves = std::ldexp(uv[0], 1 - steps.exponent);
   const double rows = std::rint(std::ldexp(uv[1], -steps.exponent) / kHalfRootOf3);
-  if (!(std::abs(halves) <= kMostHalfSteps)) return {};
-  if (!(std::abs(std::ldexp(uv[1], -steps.exponent)) <= kMostSteps)) return {};
+  if (!(std::abs(halves) <= kMaxHalfSteps)) return {};
+  if (!(std::abs(std::ldexp(uv[1], -steps.exponent)) <= kMaxSteps)) return {};
   const double exact = std::ldexp(kHalfRootOf3 * rows, steps.exponent);
   if (halves != std::rint(halves) || uv[1] != steps.v * std::rint(exact / steps.v)) return {};
   const auto m = static_cast<std::int64_t>(halves), b = static_cast<std::int64_t>(rows);

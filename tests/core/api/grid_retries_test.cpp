@@ -112,7 +112,7 @@ TEST(GridRetries, AComponentSmallerThanItsCellsGetsWholeFractions) {
   grid = wholeFraction({0.0, 2.0, GridMode::kQuad}, 1.0, 0, halvings);  // a quarter of a cell
   EXPECT_EQ(halvings, 3);
   EXPECT_EQ(grid.spacing, 0.25);
-  EXPECT_GE(1.0 / (grid.spacing * grid.spacing), kLeastCells);
+  EXPECT_GE(1.0 / (grid.spacing * grid.spacing), kMinCells);
   grid = wholeFraction({0.0, 2.0, GridMode::kQuad}, 1.0, 1, halvings);
   EXPECT_EQ(halvings, 4);
 }

@@ -46,13 +46,13 @@ TEST(Threads, AScopeSetsTheNumberOnItsThreadAndTheOuterOneReturns) {
 
 TEST(Threads, TheNumberIsFromOneToTheMost) {
   EXPECT_GE(availableThreads(), 1);
-  EXPECT_LE(availableThreads(), kMostThreads);
+  EXPECT_LE(availableThreads(), kMaxThreads);
   {
     const ThreadScope all(0);
     EXPECT_EQ(threadCount(), availableThreads());
   }
   const ThreadScope many(1000);
-  EXPECT_LE(threadCount(), kMostThreads);
+  EXPECT_LE(threadCount(), kMaxThreads);
 }
 
 TEST(Threads, TheDefaultIsThatOfTheProcess) {

@@ -65,11 +65,11 @@ void expectOnlyInserted(const std::string& before, const std::string& after) {
 /// Three vertices (least, most, most), (0, 0, 0), (most, most, 0) of a type, four numbers apart.
 template <class T>
 std::string quantizedText(int componentType, bool isNormalized) {
-  constexpr T kLeast = std::numeric_limits<T>::min(), kMost = std::numeric_limits<T>::max();
-  const T values[3][4] = {{kLeast, kMost, kMost, 0}, {0, 0, 0, 0}, {kMost, kMost, 0, 0}};
+  constexpr T kMin = std::numeric_limits<T>::min(), kMax = std::numeric_limits<T>::max();
+  const T values[3][4] = {{kMin, kMax, kMax, 0}, {0, 0, 0, 0}, {kMax, kMax, 0, 0}};
   Bytes bytes(sizeof values);
   std::memcpy(bytes.data(), values, sizeof values);
-  const std::string size = std::to_string(sizeof values), most = std::to_string(+kMost);
+  const std::string size = std::to_string(sizeof values), most = std::to_string(+kMax);
   return R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_mesh_quantization"],
     "extensionsRequired": ["KHR_mesh_quantization"],
     "buffers": [{"byteLength": )" +
@@ -78,7 +78,7 @@ std::string quantizedText(int componentType, bool isNormalized) {
          size + R"(, "byteStride": )" + std::to_string(4 * sizeof(T)) + R"(}],
     "accessors": [{"bufferView": 0, "componentType": )" +
          std::to_string(componentType) + R"(, "count": 3, "type": "VEC3", "normalized": )" +
-         (isNormalized ? "true" : "false") + R"(, "min": [)" + std::to_string(+kLeast) +
+         (isNormalized ? "true" : "false") + R"(, "min": [)" + std::to_string(+kMin) +
          R"(, 0, 0], "max": [)" + most + ", " + most + ", " + most + R"(]}],
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})";
 }

@@ -152,7 +152,7 @@ GridOptions wholeFraction(const GridOptions& grid, double area, int finer, int& 
   halvings = finer;
   if (!(area > 0.0) || !(grid.spacing > 0.0)) return out;
   double cells = area / (grid.spacing * grid.spacing);
-  for (; cells < kLeastCells; cells *= 4.0) ++halvings;
+  for (; cells < kMinCells; cells *= 4.0) ++halvings;
   out.spacing = std::ldexp(grid.spacing, -halvings);
   return out;
 }

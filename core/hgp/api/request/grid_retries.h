@@ -26,13 +26,13 @@ double cellsToAsked(const GridReport& report, const GridOptions& grid);
 /// A number of cells within this fraction of the one asked for is near it.
 inline constexpr double kNearCells = 0.1;
 
-/// The grid of a component among others: cells of the shared size or, where that leaves fewer than kLeastCells, of a half,
+/// The grid of a component among others: cells of the shared size or, where that leaves fewer than kMinCells, of a half,
 /// a quarter, … of their length, so that textures that fit the others' cells fit these.
 /// @param grid  by spacing; @param finer  halvings in addition
 GridOptions wholeFraction(const GridOptions& grid, double area, int finer, int& halvings);
-inline constexpr double kLeastCells = 8.0;
+inline constexpr double kMinCells = 8.0;
 /// Components of fewer cells than this that are not aligned are tried with cells of half the length, and of a quarter.
 inline constexpr double kFewCells = 100.0;
-inline constexpr int kMostFiner = 2;
+inline constexpr int kMaxFiner = 2;
 
 }  // namespace hgp::api

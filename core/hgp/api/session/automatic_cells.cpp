@@ -14,7 +14,7 @@ namespace {
 constexpr double kCellsAcross = 14.0;
 constexpr double kFewest = 800.0;
 constexpr double kPerCone = 40.0;
-constexpr double kMost = 1e6;
+constexpr double kMaxAutomatic = 1e6;
 /// A second run is worth its time up to this many triangles.
 constexpr std::size_t kRunTwice = 100'000;
 
@@ -43,7 +43,7 @@ double automaticCells(const Model& model, const Request& request) {
   const double across = kCellsAcross / diagonal(finiteBoxOf(model.mesh.positions));
   const double cells =
       std::max({area * across * across, kFewest, kPerCone * static_cast<double>(cones)});
-  return std::round(std::min(cells, kMost));
+  return std::round(std::min(cells, kMaxAutomatic));
 }
 
 SolveOptions Session::State::withCells(const Request& request, SolveOptions options) const {

@@ -19,12 +19,12 @@ struct RunKey {
 };
 bool isSame(const RunKey& a, const RunKey& b);
 
-/// The last results of one surface: at most kMostRuns, of at most kMostTriangles in total.
+/// The last results of one surface: at most kMaxRuns, of at most kMaxTriangles in total.
 template <class Value>
 class KeptRuns {
  public:
-  static constexpr std::size_t kMostRuns = 12;
-  static constexpr std::size_t kMostTriangles = 1'000'000;
+  static constexpr std::size_t kMaxRuns = 12;
+  static constexpr std::size_t kMaxTriangles = 1'000'000;
 
   /// Null if there was no such run, or its result is no longer kept. It becomes the newest.
   const Value* find(const RunKey& key) {
@@ -37,11 +37,11 @@ class KeptRuns {
     return nullptr;
   }
   void add(RunKey key, std::size_t triangles, Value value) {
-    if (triangles > kMostTriangles / 2) return;
+    if (triangles > kMaxTriangles / 2) return;
     key.options.progress = nullptr;
     runs_.push_back({std::move(key), std::move(value)});
     const std::size_t most =
-        std::min(kMostRuns, kMostTriangles / std::max<std::size_t>(1, triangles));
+        std::min(kMaxRuns, kMaxTriangles / std::max<std::size_t>(1, triangles));
     if (runs_.size() > most) runs_.erase(runs_.begin());
   }
   void clear() { runs_.clear(); }

@@ -210,7 +210,7 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
     own.grid = wholeFraction(shared.grid, area, extra, halvings);
     Result<Parametrization> component = solveComponent(p, request, own);
     const bool isOver = !component || !component->grid || component->grid->isAligned || !isSmall ||
-                        extra == kMostFiner;
+                        extra == kMaxFiner;
     if (!isOver) continue;
     if (component && component->grid && component->grid->isAligned && halvings > 0)
       run.notes.push_back(Note("grid-smaller-cells", {{"component", p}, {"parts", 1 << halvings}}));

@@ -12,7 +12,7 @@ namespace hgp::io {
 namespace {
 
 /// A thread scans this many bytes or more.
-constexpr std::size_t kLeastPiece = std::size_t{1} << 19;
+constexpr std::size_t kMinPiece = std::size_t{1} << 19;
 
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
@@ -54,7 +54,7 @@ std::size_t ObjScanner::endOfLine(std::size_t position) const {
 /// Scans pieces of the text in several threads, as if each were a text of its own. False, with nothing changed, where the
 /// text is short, or where a piece is wrong or refers to others by relative indices: then all must be read in order.
 bool ObjScanner::scanPieces(std::size_t begin) {
-  const std::size_t most = text_.size() / kLeastPiece;
+  const std::size_t most = text_.size() / kMinPiece;
   const int count = static_cast<int>(std::min<std::size_t>(most, at(threadCount())));
   if (count < 2) return false;
   std::vector<std::size_t> start{begin};

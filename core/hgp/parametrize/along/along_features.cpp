@@ -16,7 +16,7 @@ namespace hgp {
 namespace {
 
 /// Steps that are straightened at most, because lengths contradict each other.
-constexpr int kMostSteps = 8;
+constexpr int kMaxSteps = 8;
 /// Cones of which a message tells the k.
 constexpr std::size_t kListed = 8;
 
@@ -108,7 +108,7 @@ class StepSearch {
       StraightOutcome outcome{std::move(setup), std::move(*attempt)};
       if (outcome.attempt.certificate.isCertified) return outcome;
       std::optional<AlignedField> next;
-      if (!edges.empty() && !isSearched_ && static_cast<int>(tried_.size()) < kMostSteps)
+      if (!edges.empty() && !isSearched_ && static_cast<int>(tried_.size()) < kMaxSteps)
         next = nextField(outcome.setup.aligned, edges);
       if (next) {
         if (!first_) first_ = outcome.setup;

@@ -14,18 +14,18 @@
 namespace hgp {
 namespace {
 
-constexpr int kMostMoves = 24;
+constexpr int kMaxMoves = 24;
 /// Short edges whose corners are moved, and moves per corner and direction.
 constexpr std::size_t kShortEdges = 24, kMovesPerNode = 6;
 /// Fields that are tried, times triangles; at least and at most so many.
 constexpr double kTrials = 4e5;
-constexpr int kFewestTrials = 24, kMostTrials = 400, kMostMaps = 120;
+constexpr int kFewestTrials = 24, kMaxTrials = 400, kMaxMaps = 120;
 /// A move must lower the excess to this share.
 constexpr double kProgress = 0.97;
 /// Larger surfaces have too few trials for maps.
 constexpr int kLargestForMaps = 8000;
-/// Maps with more wrong triangles and angles are not mended by kMostMoves moves.
-constexpr double kMostWrong = 100.0;
+/// Maps with more wrong triangles and angles are not mended by kMaxMoves moves.
+constexpr double kMaxWrong = 100.0;
 /// Excess of a field whose lengths are impossible, beside wrong triangles of others.
 constexpr double kImpossibleLengths = 1e6;
 
@@ -47,7 +47,7 @@ class Search {
         options_(options),
         field_(setup.aligned) {
     const double trials = kTrials / std::max(1, surface.mesh().faceCount());
-    const int most = goal == IndexGoal::kMap ? kMostMaps : kMostTrials;
+    const int most = goal == IndexGoal::kMap ? kMaxMaps : kMaxTrials;
     left_ = std::clamp(static_cast<int>(trials), kFewestTrials, most);
     score_ = scoreOf(setup);
   }
@@ -55,9 +55,9 @@ class Search {
   IndexSearch run() {
     IndexSearch out;
     if (score_.isReached) return out;
-    const bool isFarOff = score_.excess > kMostWrong && score_.fit.isPossible;
+    const bool isFarOff = score_.excess > kMaxWrong && score_.fit.isPossible;
     if (goal_ == IndexGoal::kMap && isFarOff) return out;
-    while (out.moves < kMostMoves && !score_.isReached && step()) ++out.moves;
+    while (out.moves < kMaxMoves && !score_.isReached && step()) ++out.moves;
     out.isCancelled = isCancelled_;
     if (!score_.isReached || isCancelled_) return out;
     if (goal_ == IndexGoal::kLengths)

@@ -107,7 +107,7 @@ bool mend(const Mending& on, Eigen::VectorXcd& x) {
   Eigen::VectorXcd best = x;
   std::size_t fewest = reversed.size();
   double weight = kFirst;
-  for (int attempt = 0; attempt < kAttempts && asked.size() <= kMostMended; ++attempt) {
+  for (int attempt = 0; attempt < kAttempts && asked.size() <= kMaxMended; ++attempt) {
     Patch(on, asked).step(asked, weight, x);
     reversed = reversedFaces(on, x);
     if (reversed.size() < fewest) {

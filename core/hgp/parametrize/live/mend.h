@@ -9,7 +9,7 @@
 
 namespace hgp::live {
 
-/// The map that is mended, at most kMostMended triangles of it.
+/// The map that is mended, at most kMaxMended triangles of it.
 struct Mending {
   const TriMesh& mesh;
   const SeamlessSetup& setup;
@@ -19,7 +19,7 @@ struct Mending {
   std::function<double(VertexId)> scale;   ///< u
   std::function<Complex(FaceId)> target;   ///< f_z of a similarity along the frames
 };
-inline constexpr std::size_t kMostMended = 16;
+inline constexpr std::size_t kMaxMended = 16;
 
 /// Triangles of the map without positive area (in float64, without bounds: the verifier decides).
 std::vector<FaceId> reversedFaces(const Mending& on, const Eigen::VectorXcd& x);

@@ -394,6 +394,19 @@ TEST(Untangle, GoesThroughItsKindsWithinABudgetOfSteps) {
   EXPECT_FALSE(untangleNext(*on.problem, first, attempt)) << "the budget is spent";
 }
 
+TEST(Untangle, IsLeftOutWhereAStepTakesSeconds) {
+  const Posed on = sphere(8);
+  const Problem& p = *on.problem;
+  const auto isTriedFor = [&](int n) {
+    const TriMesh mesh(test::grid(n, n).mesh());
+    const Problem other{mesh,   p.setup,          p.method,        p.weightings, p.base,
+                        p.soft, p.hasGivenFrames, p.harmonicCount, 1e12,         p.angles};
+    return untangleNext(other, on.hardState(), attemptWith(on, 4, 1.0)).has_value();
+  };
+  EXPECT_TRUE(isTriedFor(20));
+  EXPECT_FALSE(isTriedFor(330)) << "2 × 330² triangles";
+}
+
 TEST(Untangle, EveryKindGivesACertifiedMapOfAPrescriptionThatHardConstraintsFail) {
   // Found among random prescriptions: F_cb alone leaves hundreds of triangles folded.
   Posed on;

@@ -7,6 +7,8 @@ namespace {
 constexpr double kMaxFaceSteps = 1.2e7;
 /// Maximum number of steps of one kind of untangling, which starts only if the remaining work allows as many.
 constexpr int kMaxStepsOfKind = 220;
+/// Maximum number of triangles; a step then takes half a second or more, and the limit above holds after a whole kind.
+constexpr int kMaxTriangles = 200'000;
 
 }  // namespace
 
@@ -15,6 +17,7 @@ std::optional<State> untangleNext(const Problem& problem, const State& state,
   // Tried after the first weighting with hard constraints and before later weightings.
   const Weighting& weighting = problem.weightings[state.weighting];
   if (problem.method != Method::kAuto || weighting.soft > 0.0 || weighting.isHarmonic) return {};
+  if (problem.mesh.faceCount() > kMaxTriangles) return {};
   auto next = static_cast<std::size_t>(state.untangling + 1);
   std::shared_ptr<const SeamRotations> frames;
   for (; next < untanglings().size(); ++next) {

@@ -556,6 +556,11 @@ function oneForTwo(json) {
   json.meshes[0].extensions.EXT_mesh_manifold.manifoldPrimitive.indices = 2;
 }
 
+/** A primitive that reaches past the manifold's indices. */
+function pastTheManifold(json) {
+  json.accessors[3].count = 21;
+}
+
 /** A merge at one corner that the vertex's other corners do not have: copies would be told apart anew. */
 function mergedAtOneCorner(json) {
   for (const a of [4, 5]) json.accessors[a].count -= 1;
@@ -808,6 +813,14 @@ export async function featureFiles({ isSolved = false } = {}) {
     {
       name: 'EXT_mesh_manifold with a vertex that is merged at one corner only',
       files: { 'one-corner.glb': manifold(mergedAtOneCorner) },
+      cases: [
+        ...maps(['vertices']),
+        ...maps(['patches', 'corners'], { extra: { lostExtensions: ['EXT_mesh_manifold'] } }),
+      ],
+    },
+    {
+      name: 'EXT_mesh_manifold that ends within a primitive',
+      files: { 'past-the-manifold.glb': manifold(pastTheManifold) },
       cases: [
         ...maps(['vertices']),
         ...maps(['patches', 'corners'], { extra: { lostExtensions: ['EXT_mesh_manifold'] } }),

@@ -341,6 +341,24 @@ TEST(Ply, NormalsAndColoursGoIntoAnObj) {
   EXPECT_EQ(phrase(out->notes[0]), "written as OBJ, with its normals and colours");
 }
 
+TEST(Ply, TheOrderOfThePropertiesIsFree) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty uchar red\nproperty float nx\n"
+      "property float x\nproperty float y\nproperty float z\nproperty float nz\n"
+      "property float ny\nproperty uchar blue\nproperty uchar green\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n"
+      "255 1 0 0 0 0 0 51 0\n0 0 1 0 0 1 0 0 255\n0 0 0 1 0 0 1 255 0\n3 0 1 2\n";
+  const DocumentPtr document = openedPly(text, "obj");
+  ASSERT_TRUE(document);
+  const auto out =
+      document->write(0, document->asStored(0, vertexMap(document->surfaces()[0].mesh)), {});
+  ASSERT_TRUE(out);
+  const std::string obj = textOf(out->files[0].bytes);
+  for (const char* line : {"v 0 0 0 1 0 0.2\n", "v 1 0 0 0 1 0\n", "v 0 1 0 0 0 1\n", "vn 1 0 0\n",
+                           "vn 0 0 1\n", "vn 0 1 0\n"})
+    EXPECT_NE(obj.find(line), std::string::npos) << line << "in\n" << obj;
+}
+
 TEST(Obj, WhatAnotherFormatCannotKeepIsSaid) {
   const auto document =
       openText("a.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3\nl 1 2\np 3\n");

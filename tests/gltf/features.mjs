@@ -559,6 +559,7 @@ function oneForTwo(json) {
 /** A primitive that reaches past the manifold's indices. */
 function pastTheManifold(json) {
   json.accessors[3].count = 21;
+  delete json.accessors[3].sparse;
 }
 
 /** A merge at one corner that the vertex's other corners do not have: copies would be told apart anew. */

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { effect } from '@preact/signals-core';
 import { deleteCone, setPrescription } from '../../../web/src/actions/edit_cones.ts';
+import { suggestCones } from '../../../web/src/actions/solve.ts';
 import { Document } from '../../../web/src/model/document.ts';
 import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
@@ -47,6 +48,23 @@ test('readers of a value are notified of changes; derived values follow', () => 
   doc.look = { ...doc.look, tiles: 9 }; // about something else
   doc.job = undefined;
   assert.deepEqual(seen, ['starting', 'empty', 'loading', 'empty']);
+});
+
+test('cones are not suggested while the solver runs, which is said', async () => {
+  const said = [];
+  let asked = 0;
+  const doc = {
+    job: { kind: 'run' },
+    model: { solver: { suggestCones: () => (asked += 1) } },
+    prescription: { q: 4, turnings: [], handles: [] },
+    solve: { timeLimit: 9 },
+    say: (text) => said.push(text),
+  };
+  await suggestCones({ doc });
+  assert.equal(asked, 0);
+  assert.equal(said.length, 1);
+  assert.match(said[0], /locked while the solver runs/);
+  assert.equal(doc.job.kind, 'run', 'it goes on');
 });
 
 function cubeSurface(n) {

@@ -132,6 +132,19 @@ test('triangles without area, and copies, are tolerated up to the number in the 
   assert.equal(verdictOf(flat(3), { reversed: 1 }), false, 'another defect');
 });
 
+test('turnings have a row where any component has a boundary, and it follows the number of wrong ones', () => {
+  const rowOf = (components, wrongTurnings) => {
+    const solution = solutionOf(square());
+    solution.result.certificate = { ...certificate, components, wrongTurnings };
+    return verdictRows(solution).find(({ name }) => name === 'Boundary turning');
+  };
+  const [closed, open] = [{ turnings: [] }, { turnings: [{ loop: 0, turning: 4 }] }];
+  assert.equal(rowOf([], 0), undefined);
+  assert.equal(rowOf([closed], 0), undefined);
+  assert.equal(rowOf([closed, {}, open], 0)?.isGood, true);
+  assert.deepEqual([rowOf([open], 1)?.isGood, rowOf([open], 1)?.value], [false, '1 wrong']);
+});
+
 test('one vertex split in the file: the file does not hold the map, and the verdict fails', () => {
   const map = square();
   const torn = {

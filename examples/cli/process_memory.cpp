@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <memory>
 #endif
 
 namespace hgp::cli {
@@ -17,14 +17,13 @@ namespace hgp::cli {
 namespace {
 
 /// Makes the heap so large, in addresses alone, and asks the kernel for pages of 2 MB there. False if it cannot be.
-bool reserveInLargePages(std::size_t bytes) {
+bool reserveInLargePages(std::size_t bytes, std::size_t page) {
   void* const reserved = std::malloc(bytes);
   if (reserved == nullptr) return false;
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto at = reinterpret_cast<std::uintptr_t>(reserved);
-  const std::uintptr_t begin = (at + page - 1) / page * page, end = (at + bytes) / page * page;
-  madvise(reinterpret_cast<void*>(begin), end - begin,
-          MADV_HUGEPAGE);  // a wish; failing changes nothing
+  void* begin = reserved;
+  std::size_t left = bytes;
+  if (std::align(page, page, begin, left) != nullptr)
+    madvise(begin, left / page * page, MADV_HUGEPAGE);  // a wish; failing changes nothing
   std::free(reserved);
   return true;
 }
@@ -40,10 +39,11 @@ void keepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 8 << 20);
   constexpr std::size_t kMaxReserved = std::size_t{1} << 33, kMinReserved = std::size_t{1} << 26;
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const auto pages = static_cast<std::size_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
-  const std::size_t half = pages / 2 * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  for (std::size_t bytes = std::min(half, kMaxReserved); bytes >= kMinReserved; bytes /= 2)
-    if (reserveInLargePages(bytes)) break;
+  for (std::size_t bytes = std::min(pages / 2 * page, kMaxReserved); bytes >= kMinReserved;
+       bytes /= 2)
+    if (reserveInLargePages(bytes, page)) break;
 #endif
 }
 

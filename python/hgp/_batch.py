@@ -137,7 +137,9 @@ def _run(job: Dict[str, Any], folder: pathlib.Path) -> Tuple[List[Row], float, i
     """Runs a job in a process of its own: rows, peak memory in bytes, exit code."""
     (folder / "job.json").write_text(json.dumps(job), encoding="utf-8")
     place = str(pathlib.Path(str(_core.__file__)).parents[1])  # of this package, whose sources may be links
-    env = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, [place, os.environ.get("PYTHONPATH", "")]))}
+    paths = filter(None, [place, os.environ.get("PYTHONPATH", "")])
+    # Pages of 2 MB, which only the start of a process can ask for (docs/decisions/102).
+    env = {"GLIBC_TUNABLES": "glibc.malloc.hugetlb=1", **os.environ, "PYTHONPATH": os.pathsep.join(paths)}
     command = [sys.executable, "-m", "hgp._one", str(folder / "job.json")]
     with open(folder / "messages.txt", "wb") as messages:
         process = subprocess.Popen(command, env=env, stdout=messages, stderr=messages, stdin=subprocess.DEVNULL)

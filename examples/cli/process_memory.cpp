@@ -2,7 +2,19 @@
 
 #include <cstdlib>  // also defines macros that identify the C library
 
-#if defined(__GLIBC__) && !defined(HGP_PORTABLE)
+// Sanitizers have a malloc of their own, which marks every byte of a block.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HGP_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HGP_SANITIZED
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(HGP_PORTABLE) && !defined(HGP_SANITIZED)
+#define HGP_GLIBC_HEAP
+#endif
+
+#ifdef HGP_GLIBC_HEAP
 #include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -13,7 +25,7 @@
 
 namespace hgp::cli {
 
-#if defined(__GLIBC__) && !defined(HGP_PORTABLE)
+#ifdef HGP_GLIBC_HEAP
 namespace {
 
 /// Makes the heap so large, in addresses alone, and asks the kernel for pages of 2 MB there. False if it cannot be.
@@ -32,7 +44,7 @@ bool reserveInLargePages(std::size_t bytes, std::size_t page) {
 #endif
 
 void keepFreedMemory() {
-#if defined(__GLIBC__) && !defined(HGP_PORTABLE)
+#ifdef HGP_GLIBC_HEAP
   // All memory comes from one heap that does not shrink, for all threads; if it cannot grow, malloc falls back to mmap.
   mallopt(M_ARENA_MAX, 1);
   mallopt(M_MMAP_MAX, 0);

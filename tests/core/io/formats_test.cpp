@@ -237,6 +237,10 @@ DocumentPtr openedPly(const std::string& text, const std::string& target) {
   return document ? std::move(*document) : nullptr;
 }
 
+auto asWritten(const Document& document) {
+  return document.write(0, document.asStored(0, vertexMap(document.surfaces()[0].mesh)), {});
+}
+
 TEST(Ply, LinesOfTheHeaderWithOtherKeywordsAreSkippedAndKept) {
   const std::string body = "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n3 0 1 2\n3 0 2 3\n";
   const std::string line = "Created by a program of 2006\n";
@@ -330,8 +334,7 @@ TEST(Ply, NormalsAndColoursGoIntoAnObj) {
               "property uchar green\nproperty uchar blue\n");
   const DocumentPtr document = openedPly(text, "obj");
   ASSERT_TRUE(document);
-  const auto out =
-      document->write(0, document->asStored(0, vertexMap(document->surfaces()[0].mesh)), {});
+  const auto out = asWritten(*document);
   ASSERT_TRUE(out);
   const std::string obj = textOf(out->files[0].bytes);
   EXPECT_NE(obj.find("v 0 0 0 1 0 0.2\n"), std::string::npos) << obj;
@@ -350,8 +353,7 @@ TEST(Ply, TheOrderOfThePropertiesIsFree) {
       "255 1 0 0 0 0 0 51 0\n0 0 1 0 0 1 0 0 255\n0 0 0 1 0 0 1 255 0\n3 0 1 2\n";
   const DocumentPtr document = openedPly(text, "obj");
   ASSERT_TRUE(document);
-  const auto out =
-      document->write(0, document->asStored(0, vertexMap(document->surfaces()[0].mesh)), {});
+  const auto out = asWritten(*document);
   ASSERT_TRUE(out);
   const std::string obj = textOf(out->files[0].bytes);
   for (const char* line : {"v 0 0 0 1 0 0.2\n", "v 1 0 0 0 1 0\n", "v 0 1 0 0 0 1\n", "vn 1 0 0\n",

@@ -11,6 +11,7 @@
 #include <exception>
 
 #include "hgp/base/check.h"
+#include "process_memory.h"
 
 namespace hgp::bench {
 namespace {
@@ -28,6 +29,8 @@ bool send(int out, const std::string& text) {
 
 [[noreturn]] void beChild(int out, const std::function<std::string()>& work,
                           const ChildLimits& limits) {
+  // Not in the parent, whose freed memory the child would copy, page by page, when it writes there.
+  cli::keepFreedMemory();
   if (limits.wallSeconds > 0) alarm(static_cast<unsigned>(std::ceil(limits.wallSeconds)));
   if (limits.cpuSeconds > 0) {
     const auto seconds = static_cast<rlim_t>(std::ceil(limits.cpuSeconds));

@@ -11,7 +11,6 @@
 #include "corpus_process.h"
 #include "corpus_table.h"
 #include "files.h"
-#include "process_memory.h"
 #include "program.h"
 
 namespace {
@@ -106,7 +105,6 @@ int runProgram(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  hgp::cli::keepFreedMemory();
   try {
     return runProgram(argc, argv);
   } catch (const std::exception& error) {

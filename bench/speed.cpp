@@ -15,7 +15,6 @@
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
 #include "models.h"
-#include "process_memory.h"
 #include "yardstick.h"
 
 namespace {
@@ -143,7 +142,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  hgp::cli::keepFreedMemory();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

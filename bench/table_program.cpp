@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <exception>
 
-#include "process_memory.h"
 #include "program.h"
 
 namespace hgp::bench {
@@ -29,7 +28,6 @@ int TableProgram::finish(const std::string& sums, const SurfaceTable& table) con
 }
 
 int runTableProgram(const char* name, int (*run)(int, char**), int argc, char** argv) {
-  cli::keepFreedMemory();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

@@ -14,7 +14,6 @@
 #include "files.h"
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
-#include "process_memory.h"
 #include "program.h"
 #include "row_json.h"
 #include "stress_table.h"
@@ -221,7 +220,6 @@ int runProgram(int argc, char** argv) {
 }  // namespace hgp::stress
 
 int main(int argc, char** argv) {
-  hgp::cli::keepFreedMemory();
   try {
     return hgp::stress::runProgram(argc, argv);
   } catch (const std::exception& error) {

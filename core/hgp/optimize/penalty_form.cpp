@@ -55,10 +55,11 @@ void addHarmonicRows(const ProgramInput& in, const HeldUnknowns& held, const Pen
 }
 
 /// Adds the distortion term, two rows per face.
-void addDistortion(const ProgramInput& in, double quality, const HeldUnknowns& held,
-                   const PenaltyForm& form, SquareRows<Complex>& sum) {
+void addDistortion(const ProgramInput& in, const PenaltyObjective& objective,
+                   const HeldUnknowns& held, const PenaltyForm& form, SquareRows<Complex>& sum) {
+  const double tieBreak = objective.isHarmonic ? 0.0 : in.options.tieBreak;
   PerFace<double> delta(static_cast<std::size_t>(in.mesh.faceCount()),
-                        std::max(quality, in.options.tieBreak));
+                        std::max(objective.quality, tieBreak));
   const SoftFrames& soft = in.options.soft;
   for (FaceId f : soft.faces) delta[f] = std::max(delta[f], soft.weight);
   FaceRows rows;
@@ -76,13 +77,13 @@ void addDistortion(const ProgramInput& in, double quality, const HeldUnknowns& h
 }
 
 /// All terms: the harmonic ones, then the distortion term.
-SparseC objectiveOf(const ProgramInput& in, double quality, const HeldUnknowns& held,
-                    PenaltyForm& form) {
+SparseC objectiveOf(const ProgramInput& in, const PenaltyObjective& objective,
+                    const HeldUnknowns& held, PenaltyForm& form) {
   const std::size_t all = static_cast<std::size_t>(in.harmonic.rows.nonZeros()) +
                           kTermsPerFace * static_cast<std::size_t>(in.mesh.faceCount());
   SquareRows<Complex> sum(form.count(), in.options.patch() ? all / kPatchesPerSurface : all);
   addHarmonicRows(in, held, form, sum);
-  addDistortion(in, quality, held, form, sum);
+  addDistortion(in, objective, held, form, sum);
   form.c = sum.linear;
   return sum.takeForm();
 }
@@ -92,7 +93,7 @@ SparseC objectiveOf(const ProgramInput& in, double quality, const HeldUnknowns& 
 std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyObjective& objective,
                                          const HeldUnknowns& held) {
   auto form = std::make_unique<PenaltyForm>(held);
-  const SparseC H = objectiveOf(in, objective.quality, held, *form);
+  const SparseC H = objectiveOf(in, objective, held, *form);
   linalg::Cliques cliques;
   FaceRows rows;
   for (FaceId f : in.frames.faces) {

@@ -10,6 +10,7 @@
 #include "hgp/api/model/load_model.h"
 #include "hgp/parametrize/live_edit.h"
 #include "hgp/parametrize/parametrize.h"
+#include "process_memory.h"
 #include "processor_time.h"
 #include "random.h"
 
@@ -204,4 +205,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace hgp::bench
 
-int main(int argc, char** argv) { return hgp::bench::run(argc, argv); }
+int main(int argc, char** argv) {
+  hgp::cli::keepFreedMemory();  // as everything that works on one surface for long keeps it
+  return hgp::bench::run(argc, argv);
+}

@@ -129,6 +129,17 @@ test('an unknown kind of mark is refused with the known ones', () => {
   assert.match(err, /lines, smoothing, materials and normals/);
 });
 
+test('options of automatic cones say that they choose nothing where a surface has features', () => {
+  put('fold.obj', folded(n));
+  const plain = good('param', 'fold.obj', '--creases', '-o', 'plain.obj');
+  assert.doesNotMatch(plain.err, sentenceOf('features-own-cones'));
+  for (const option of [['--count', '9'], ['--cones-for', 'few'], ['--align']]) {
+    const { err } = good('param', 'fold.obj', '--creases', ...option, '-o', 'chosen.obj');
+    assert.match(err, sentenceOf('features-own-cones'));
+    assert.equal(read('chosen.obj'), read('plain.obj'));
+  }
+});
+
 test('a list that was made for another file says so, and vertices are found by their positions', () => {
   put('fold.obj', folded(n));
   good('features', 'fold.obj', '-o', 'fold.json');

@@ -24,7 +24,7 @@ Status checkPossible(const SolveOptions& options, const Request& request) {
   if (options.refines) return clash("a refined mesh is not symmetric; leave out either");
   if (options.convexPolygons)
     return clash("convex polygons would move uv on one side only; leave out either");
-  if (options.coneCount > 0 || options.conesFor != ConesFor::kBalanced || options.alignToCurvature)
+  if (options.choosesCones())
     return clash(
         "cones of a symmetric map are those of a field; leave out their number, purpose "
         "and alignment");

@@ -130,6 +130,8 @@ export const corePhrases = {
     'the features are of another file; found by [placed:positions][!placed:vertex numbers]',
   'marks-no-edges':
     'left out: {pairs|marked pair|marked pairs} of vertices without an edge between them',
+  'features-own-cones':
+    'the cones of a surface with features are those of a field along them: their number, purpose and alignment cannot be chosen',
   'field-frames': 'the frames are the directions of the field',
   'budget-two-cones':
     'A closed torus with exactly two cones, k={low} and k={high}[divisor: (reduced by the common divisor {divisor} to q={q})], has no map with all rotations multiples of 2π/{q} unless a handle rotation is not a multiple of {divisor}.',

@@ -42,10 +42,9 @@ Row rowOf(const Task& task) {
   return row;
 }
 
-bool speaksOfStretch(const Json& notes) {
-  return std::any_of(notes.begin(), notes.end(), [](const Json& n) {
-    return n["code"] == "map-stretched" || n["code"] == "map-unresolved";
-  });
+bool hasNote(const Json& notes, const std::string& code) {
+  return std::any_of(notes.begin(), notes.end(),
+                     [&](const Json& note) { return note["code"] == code; });
 }
 
 void readReport(Row& row, const Json& report, bool isCertified) {
@@ -55,7 +54,8 @@ void readReport(Row& row, const Json& report, bool isCertified) {
   row.cones = component["cones"];
   row.rounds = static_cast<int>(component["rounds"].size());
   if (row.rounds > 0) row.method = component["rounds"].back()["method"];
-  row.isWarned = speaksOfStretch(component["notes"]);
+  const Json& notes = component["notes"];
+  row.isWarned = hasNote(notes, "map-stretched") || hasNote(notes, "map-unresolved");
   row.flipped = certificate["flipped"];
   row.genus = measured["genus"];
   row.loops = measured["boundaryLoops"];
@@ -67,6 +67,7 @@ void readReport(Row& row, const Json& report, bool isCertified) {
       row.flipped == 0 && certificate["wrongAngles"] == 0 && certificate["wrongTurnings"] == 0;
   row.verdict = isCertified && certificate["usable"] ? Verdict::kCertified
                 : areIntegersRight                   ? Verdict::kTooFine
+                : hasNote(notes, "angle-shortage")   ? Verdict::kTooCoarse
                                                      : Verdict::kFailed;
 }
 

@@ -20,7 +20,7 @@ struct Task {
 enum class Verdict {
   kCertified,
   kTooFine,    ///< all integers are right, but float64 cannot represent the map well enough
-  kTooCoarse,  ///< the check proves that the mesh has too few triangles for the angles
+  kTooCoarse,  ///< the check or the run proves that the mesh has too few triangles for the angles
   kFailed,
   kLate,     ///< more processor time than allowed
   kCrashed,  ///< or an internal error

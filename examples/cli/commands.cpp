@@ -17,6 +17,7 @@
 #include "hgp/features/creases.h"
 #include "hgp/prescription/feature_files.h"
 #include "progress_line.h"
+#include "quad_files.h"
 #include "side_files.h"
 #include "text_report.h"
 #include "whole_file.h"
@@ -146,6 +147,7 @@ class Run {
     std::vector<std::string> out = {a_.output, a_.json, a_.xref};
     out.insert(out.end(), a_.also.begin(), a_.also.end());
     out.insert(out.end(), {a_.faces, a_.loops});
+    if (a_.command == Command::kQuads) out.push_back(objBeside(a_.output));
     return out;
   }
 
@@ -453,62 +455,35 @@ class Run {
     return isQuads ? writeQuads() : writeResult();
   }
 
+  /// Adds the quads themselves, and the materials that they name, to a GLB, whose faces are triangles.
+  Status addObj(std::vector<io::OutputFile>& files) {
+    const std::string name = objBeside(a_.output);
+    if (name.empty()) return Done{};
+    Result<api::QuadFile> quads = session_.quads(name, resolve_);
+    if (!quads) return quads.error();
+    const std::string inFolder = std::filesystem::path(name).filename().string();
+    std::vector<io::OutputFile> more{{inFolder, std::move(quads->bytes)}};
+    Arguments plain = a_;
+    plain.isCompressed = plain.isEmbedded = false;
+    Notes notes;  // those on the GLB hold for both
+    if (Status done = finishFiles(more, notes, resolve_, plain); !done) return done;
+    for (io::OutputFile& file : more)
+      if (std::none_of(files.begin(), files.end(),
+                       [&](const io::OutputFile& other) { return other.name == file.name; }))
+        files.push_back(std::move(file));
+    return Done{};
+  }
+
   int writeQuads() {
     Result<api::QuadFile> quads = session_.quads(a_.output, resolve_);
     if (!quads) return fail(quads.error());
     std::vector<io::OutputFile> files{{a_.output, std::move(quads->bytes)}};
     Status done = finishFiles(files, quads->notes, resolve_, a_);
+    if (done) done = addObj(files);
     if (done) done = writeFiles(a_.output, files);
     if (!done) return fail(done.error());
-    if (!a_.isQuiet) reportQuads(*quads);
+    if (!a_.isQuiet) reportQuads(a_.output, *quads);
     return 0;
-  }
-
-  void reportQuads(const api::QuadFile& quads) const {
-    std::fprintf(stderr, "  wrote %s: %d vertices, %s%s\n", printable(a_.output).c_str(),
-                 quads.vertices, counted(quads.quads, "quad").c_str(),
-                 quads.clipped > 0 ? "; cells that the boundary cuts are left out" : "");
-    if (quads.cuts > 0) {
-      std::fprintf(stderr,
-                   "  note: %s of quads %s cut lengthwise: otherwise more than one edge would join "
-                   "%s, around "
-                   "handles and cones one or two cells apart\n",
-                   counted(quads.cuts, "strip").c_str(), quads.cuts == 1 ? "is" : "are",
-                   counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
-    }
-    if (quads.replaced > 0) {
-      std::fprintf(
-          stderr,
-          "  note: %s replaced by a vertex of valence 3, beside vertices of valence 3 and 5: "
-          "otherwise "
-          "more than one edge would join %s, around handles and cones one or two cells apart\n",
-          counted(quads.replaced, "edge is", "edges are").c_str(),
-          counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
-    }
-    if (quads.foldedInSpace > 0) {
-      std::fprintf(
-          stderr,
-          "  note: %s folded in space, where the surface bends more than a cell can follow; "
-          "more cells lower that\n",
-          counted(quads.foldedInSpace, "quad is", "quads are").c_str());
-    }
-    if (quads.halvings > 0) {
-      std::fprintf(
-          stderr,
-          "  note: every cell is cut into %d quads: otherwise more than one edge would join "
-          "%s, around handles and cones one or two cells apart\n",
-          1 << (2 * quads.halvings),
-          counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
-    }
-    if (quads.foldedQuads > 0) {
-      std::fprintf(
-          stderr,
-          "  note: %s at cones of k = 1; two edges of such a quad are one, which many "
-          "programs misread\n",
-          counted(quads.foldedQuads, "quad meets itself", "quads meet themselves").c_str());
-    }
-    for (const Note& note : quads.notes)
-      std::fprintf(stderr, "  note: %s\n", printable(phrase(note)).c_str());
   }
 
   int writeResult() {

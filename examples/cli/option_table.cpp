@@ -435,7 +435,7 @@ class Table {
   void addQuads() {
     CLI::App* sub =
         add("quads", "Align a map to a grid and write its cells as quads", Command::kQuads);
-    addOutput(sub, "An .obj or .ply, or a .glb of triangles", true);
+    addOutput(sub, "An .obj or .ply, or a .glb of triangles with an .obj beside it", true);
     addForce(sub);
     addPrescription(sub);
     addChoice(sub, "--count");

@@ -252,5 +252,8 @@ for (const [file, euler] of models) {
     const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
     const quads = readFileSync(out, 'utf8').match(/^f /gm).length;
     assert.equal(primitive.getIndices().getCount(), 6 * quads);
+    // glTF has triangles only: the same quads are in an OBJ beside it.
+    const beside = readFileSync(path.join(folder, 'out-quads.obj'), 'utf8');
+    assert.equal(beside, readFileSync(out, 'utf8'));
   });
 }

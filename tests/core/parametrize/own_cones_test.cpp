@@ -34,9 +34,9 @@ int sumOf(const CompleteSpec& spec) {
 }
 
 TEST(OwnCones, AreThoseOfAMapWithoutFoldsWhereNoMapHasTheChosenOnes) {
-  const TriMesh mesh = test::stretched(30.0);
+  const TriMesh mesh = test::stretched(100.0);
   ParametrizeOptions options;
-  options.maxRounds = 8;
+  options.maxRounds = 6;
   const Result<Parametrization> asked = parametrize(mesh, test::manyCones(mesh), options);
   options.areConesFree = true;
   const Result<Parametrization> free = parametrize(mesh, test::manyCones(mesh), options);

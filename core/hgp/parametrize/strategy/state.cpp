@@ -195,7 +195,7 @@ State startOf(const Problem& problem, std::size_t weighting) {
 const std::vector<Untangling>& untanglings() {
   using enum FramedBy;
   static const std::vector<Untangling> kinds{
-      {kAngles, 3.0, 1.0, true},      {kAngles, 0.05, 0.2, true}, {kConnection, 0.05, 0.2, true},
+      {kAngles, 0.05, 0.2, true},     {kAngles, 3.0, 1.0, true},  {kConnection, 0.05, 0.2, true},
       {kConnection, 3.0, 1.0, false}, {kAngles, 0.3, 0.2, false}, {kConnection, 0.3, 0.2, false}};
   return kinds;
 }

@@ -230,6 +230,65 @@ test('selection, sorting and frames of the table', { skip }, async (t) => {
   assert.deepEqual([doc.selected, looked, ui.tab], [3, [cones[3].vertex], 'surface']);
 });
 
+test('up to twenty cones are listed, more are counted by angle', { skip }, async (t) => {
+  const app = await pageWith(t);
+  const { setPrescription } = await import('../../../web/src/actions/edit_cones.ts');
+  const place = async (n) => {
+    const cones = Array.from({ length: n }, (_, i) => ({ vertex: 2 * i, k: i % 3 === 0 ? 5 : 3 }));
+    setPrescription(app, { ...app.doc.prescription, cones }, 'place');
+    await drawn();
+    consistent(app);
+  };
+  const groups = () => $$('#cones [data-group]').map((row) => [row.dataset.group, numberIn(textOf(row))]); // prettier-ignore
+  await place(20);
+  assert.deepEqual([$$('#cones [data-cone]').length, groups()], [20, []]);
+  await place(21);
+  assert.deepEqual([$$('#cones [data-cone]').length, groups()], [0, [['3', 14], ['5', 7]]]); // prettier-ignore
+  await click('#cones [data-group="5"] button');
+  assert.deepEqual(
+    $$('#cones [data-cone]').map(({ dataset }) => Number(dataset.cone)),
+    [0, 3, 6, 9, 12, 15, 18],
+  );
+});
+
+test(
+  'crosses that are ready after another pattern was chosen are not shown',
+  { skip },
+  async (t) => {
+    const app = await pageWith(t);
+    await runNow(app);
+    const { ViewUpdates } = await import('../../../web/src/views/view_updates.ts');
+    const lines = { onSurface: new Float32Array(6), inMap: new Float32Array(4) };
+    const asked = [];
+    const geometry = {
+      call: (what) => (what === 'crosses' ? new Promise((answer) => asked.push(() => answer(lines))) : Promise.resolve()), // prettier-ignore
+    };
+    const shown = [];
+    const setCrosses = (some) => shown.push(some.length);
+    const view = new Proxy(() => view, {
+      get: (_, name) => (name === 'setCrosses' ? setCrosses : name === 'then' ? undefined : view),
+      set: () => true,
+    });
+    new ViewUpdates({ doc: app.doc, ui: app.ui, geometry, model: view, uv: view, onSurface() {} });
+    const look = async (part) => {
+      app.doc.look = { ...app.doc.look, ...part };
+      await until(() => document.body.dataset.pending === undefined || asked.length > 0, 'updates');
+    };
+    await look({ pattern: 'cross' });
+    await until(() => asked.length === 1, 'crosses are asked for');
+    asked.pop()();
+    await until(() => shown.at(-1) === 4, 'crosses are shown');
+    await look({ tiles: app.doc.look.tiles + 1 });
+    await until(() => asked.length === 1, 'crosses are asked for');
+    const answer = asked.pop();
+    app.doc.look = { ...app.doc.look, pattern: 'checker' };
+    await until(() => shown.at(-1) === 0, 'crosses are taken away');
+    answer();
+    await drawn();
+    assert.equal(shown.at(-1), 0);
+  },
+);
+
 test('mirrored cones lie opposite; a second one is only selected', { skip }, async (t) => {
   const app = await pageWith(t);
   const { doc } = app;

@@ -41,6 +41,7 @@ const all = [
   ...Object.entries(polygons).flatMap(([kind, files]) =>
     Object.entries(files).map(([name, content]) => [name, { [`a.${kind}`]: content }]),
   ),
+  ['faces of one and two corners', { 'a.obj': toObj(cubeMesh(3)).replace('f ', 'f 1 2\nf 3\nf ') }],
   ['lines that end in CR alone', { 'a.obj': toObj(cubeMesh(3)).replaceAll('\n', '\r') }],
 ];
 for (const [name, files] of all)

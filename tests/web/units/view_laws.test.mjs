@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { BufferAttribute, BufferGeometry, Color, PerspectiveCamera, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, Color, Mesh, PerspectiveCamera, Vector3 } from 'three';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh } from '../../support/meshes.mjs';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
@@ -22,6 +22,7 @@ class Canvas extends EventTarget {
   getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
 }
 const { Orbit } = await import('../../../web/src/views/camera.ts');
+const { drawWhenUploaded } = await import('../../../web/src/views/sliced_uploads.ts');
 const { ConeMarkers } = await import('../../../web/src/views/cone_markers.ts');
 const { flatGeometry, setTint, surfaceGeometry } =
   await import('../../../web/src/views/corner_geometry.ts');
@@ -411,6 +412,21 @@ test('positions and normals of corners are made only for the card, slice by slic
       assert.deepEqual([...at.subarray(3 * c, 3 * c + 3)], mesh.vertices[v].map(Math.fround));
       assert.deepEqual(normals.slice(4 * c, 4 * c + 4), surface.packedNormals.slice(4 * v, 4 * v + 4)); // prettier-ignore
     });
+  }
+});
+
+test('a large geometry is left out of the frame that makes its buffers, and drawn in the next', () => {
+  for (const [count, isLarge] of [
+    [300_000, false],
+    [400_000, true],
+  ]) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * count), 3));
+    const one = new Mesh(geometry);
+    drawWhenUploaded(one);
+    assert.equal(geometry.drawRange.count, isLarge ? 0 : Infinity);
+    one.onAfterRender();
+    assert.equal(geometry.drawRange.count, Infinity);
   }
 });
 

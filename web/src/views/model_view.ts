@@ -34,6 +34,7 @@ import {
   type Palette,
 } from './pattern_material';
 import { QuadsView } from './quads_view';
+import { drawWhenUploaded } from './sliced_uploads';
 import { StudioLight } from './studio_light';
 import { placeOf, SurfaceMarks } from './surface_marks';
 import { shapeOf, WholeScene, type SceneContent } from './whole_scene';
@@ -110,6 +111,7 @@ export class ModelView extends CanvasView {
       this.#mesh.geometry = surfaceGeometry(surface, solution, isNew ? undefined : before);
       this.#mesh.material.uniforms.isMirrored.value = surface.isMirrored;
       for (const markers of [this.#markers, this.#ghost]) markers.setLift(0.08 * surface.radius);
+      if (isNew) drawWhenUploaded(this.#mesh);
       if (isNew) this.#frame(surface, parts, isSameFile);
     }
     before.dispose();
@@ -214,8 +216,7 @@ export class ModelView extends CanvasView {
   }
 
   #showOriginal(): void {
-    const isWanted = this.#isOriginalShown && !this.#quads.visible;
-    const isOriginal = this.#ownOpen !== undefined && isWanted;
+    const isOriginal = !!this.#ownOpen && this.#isOriginalShown && !this.#quads.visible;
     if (this.#ownOpen) this.#ownOpen.visible = isOriginal;
     this.#mesh.visible = this.#surface !== undefined && !isOriginal && !this.#quads.visible;
     this.marks.visible = this.#markers.visible = !this.#quads.visible;

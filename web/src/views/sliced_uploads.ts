@@ -2,6 +2,7 @@
 // the previous frame: a single upload of 40 MB, or one queued behind others, blocks the main thread for as long as the
 // card, or the software renderer, is busy.
 
+import type { Mesh } from 'three';
 import { gatheredFor } from './gathered_attribute';
 
 const sliceBytes = 2 ** 20;
@@ -127,4 +128,15 @@ export class SlicedUploads {
     this.#bind(gl.COPY_WRITE_BUFFER, null);
     this.#mark(begin);
   }
+}
+
+/**
+ * Leaves a new large geometry out of the frame that makes its buffers: these are filled after it, and millions of
+ * corners at one point would be drawn for nothing.
+ */
+export function drawWhenUploaded(mesh: Mesh): void {
+  const { geometry } = mesh;
+  const bytes = 12 * geometry.getAttribute('position').count;
+  mesh.onAfterRender = () => geometry.setDrawRange(0, Infinity);
+  if (bytes > frameBytes) geometry.setDrawRange(0, 0);
 }

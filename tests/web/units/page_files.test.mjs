@@ -15,6 +15,22 @@ async function pageWith(t, files) {
 }
 
 test(
+  'meshes that no node uses are not part of the scene, unless all are like that',
+  { skip },
+  async (t) => {
+    const { json, bin } = toGltf([cubeMesh(3), cubeMesh(5)]);
+    const openWith = async (nodes) => {
+      const scenes = [{ nodes: nodes.map((_, i) => i) }];
+      const text = JSON.stringify({ ...json, nodes, scenes: nodes.length > 0 ? scenes : [] });
+      const app = await pageWith(t, { 'two.gltf': text, 'cube.bin': bin });
+      return app.doc.parts.toSorted((a, b) => a.mesh - b.mesh).map(({ isPlaced }) => isPlaced);
+    };
+    assert.deepEqual(await openWith([{ mesh: 1 }]), [false, true]);
+    assert.deepEqual(await openWith([{ mesh: 0 }, { mesh: 1 }]), [true, true]);
+  },
+);
+
+test(
   'a scene: the largest mesh is open, each keeps its work, Run all runs all, one file has all maps',
   { skip },
   async (t) => {

@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { BufferAttribute, BufferGeometry, Color, Mesh, PerspectiveCamera, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, Color, Matrix3, Matrix4, Mesh, PerspectiveCamera, Ray, Vector3 } from 'three'; // prettier-ignore
+import { MeshBVH } from 'three-mesh-bvh';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh } from '../../support/meshes.mjs';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
@@ -34,6 +35,7 @@ const { QuadsView } = await import('../../../web/src/views/quads_view.ts');
 const { chainColour, ticksInMap, ticksOnSurface } =
   await import('../../../web/src/views/seam_marks.ts');
 const { SurfaceMarks } = await import('../../../web/src/views/surface_marks.ts');
+const { shapeOf, WholeScene } = await import('../../../web/src/views/whole_scene.ts');
 
 const near = (a, b, what, within = 1e-5) =>
   assert.ok(Math.abs(a - b) <= within * Math.max(1, Math.abs(b)), `${what}: ${a} and ${b}`);
@@ -51,6 +53,12 @@ const surface = {
 surface.places = surface.positions;
 surface.packedNormals = Int8Array.from({ length: 4 * surface.vertexCount }, (_, i) => (i % 4 === 3 ? 0 : i)); // prettier-ignore
 const corners = surface.triangles.length;
+
+const flatTriangle = () =>
+  new BufferGeometry().setAttribute(
+    'position',
+    new BufferAttribute(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), 3),
+  );
 
 /** The segments that lines draw, from the corners of their triangles. */
 function segmentsOf({ geometry }) {
@@ -428,6 +436,36 @@ test('a large geometry is left out of the frame that makes its buffers, and draw
     one.onAfterRender();
     assert.equal(geometry.drawRange.count, Infinity);
   }
+});
+
+test('a mesh that no node uses is neither drawn beside others nor framed nor picked', () => {
+  const part = (index, x, isPlaced) => {
+    const geometry = flatTriangle();
+    const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }));
+    const cornerPositions = geometry.getAttribute('position').array;
+    const matrices = [new Matrix4().makeTranslation(x, 0, 0).elements];
+    return { mesh: index, isPlaced, cornerPositions, cornerNormals: new Int8Array(12), tree, matrices }; // prettier-ignore
+  };
+  const parts = [part(0, 0, true), part(1, 10, true), part(2, 20, false)];
+  near(Math.max(...shapeOf(parts).places), 11, 'how far the scene goes');
+  const scene = new WholeScene(new Matrix3());
+  const palette = { paper: new Color(), ink: new Color(), second: new Color() };
+  const shown = () => scene.children.filter((one) => one.visible).map((one) => one.userData.mesh);
+  const show = (open) => scene.show({ parts, open, maps: new Map(), isOwnShown: false, palette });
+  const under = (x) => scene.pick(new Ray(new Vector3(x + 0.2, 0.2, 5), new Vector3(0, 0, -1)), Infinity); // prettier-ignore
+  show(0);
+  assert.deepEqual(shown(), [1], 'the open one is drawn by the view');
+  assert.deepEqual([0, 10, 20].map(under), [-1, 1, -1]);
+  show(2);
+  assert.deepEqual(shown(), [0, 1]);
+  assert.deepEqual([0, 10, 20].map(under), [0, 1, -1]);
+  // The same of its materials, but for the open one, which the view shows or not.
+  const own = new Map(parts.map(({ mesh: index }) => [index, [{ visible: false, quiet: { value: 0 }, paper: { value: palette.paper } }]])); // prettier-ignore
+  show(0);
+  scene.setOwn(own);
+  assert.deepEqual([...own.values()].map(([one]) => one.visible), [false, true, false]); // prettier-ignore
+  const [open, beside] = [own.get(0)[0], own.get(1)[0]].map(({ quiet }) => quiet.value);
+  assert.ok(open === 0 && beside > 0.1 && beside < 0.5, `a hint of what is not open: ${beside}`);
 });
 
 test('places are outlined where they are, and the first one is looked at', () => {

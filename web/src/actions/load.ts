@@ -64,11 +64,13 @@ async function lookAround(
   call: JobCall,
 ): Promise<Seen> {
   const parts: ScenePart[] = [];
+  const isScene = placements.some(({ count }) => count > 0);
   const look = async (index: number): Promise<ModelInfo> => {
     const seen = await read(index);
     const arrays = await seen.surface(call);
     void seen.dispose();
-    parts.push(await partOf(app, index, arrays, placements[index]));
+    const isPlaced = !isScene || placements[index].count > 0;
+    parts.push(await partOf(app, index, arrays, { placements: placements[index], isPlaced }));
     return seen.info;
   };
   const { summaries, best } = await surveyMeshes(info, placements, look);
@@ -91,14 +93,14 @@ async function partOf(
   { doc, geometry }: App,
   mesh: number,
   { positions, triangles, repaired }: SurfaceArrays,
-  placements: Placements | undefined,
+  { placements, isPlaced }: { placements: Placements | undefined; isPlaced: boolean },
 ): Promise<ScenePart> {
   const matrices = matricesOf(placements);
   const [to] = matrices;
   const arrays = { positions, triangles, repaired };
   const { picture, shape } = await geometry.call('part', [arrays, to], [positions, triangles]);
   doc.thumbnails = new Map(doc.thumbnails).set(mesh, picture);
-  return { mesh, ...shape, matrices };
+  return { mesh, isPlaced, ...shape, matrices };
 }
 
 /** Reads one mesh of the files with the given settings, and opens it. */
@@ -122,7 +124,8 @@ async function readMesh(
     void solver.dispose();
     solver = await read(seen.best);
   } else if (surfaceIndex === undefined && matricesOf(placements[0]).length > 1) {
-    parts = [await partOf(app, 0, await solver.surface(call), placements[0])];
+    const of = { placements: placements[0], isPlaced: true };
+    parts = [await partOf(app, 0, await solver.surface(call), of)];
   }
   const { info } = solver;
   if (info.triangles > maxTriangles) throw new Error(tooMany(main, info.triangles));

@@ -14,6 +14,8 @@ export interface ScenePart {
   /** Four bytes per corner, 127 for 1. */
   readonly cornerNormals: Int8Array;
   readonly tree: SerializedBvh;
+  /** Whether it belongs to the scene: meshes that no node uses, beside others that one does, are drawn only while open. */
+  readonly isPlaced: boolean;
   /** Where the nodes of the file put it, by columns. */
   readonly matrices: readonly (readonly number[])[];
 }

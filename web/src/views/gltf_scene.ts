@@ -105,9 +105,12 @@ function quietable(material: Material, { quiet, paper }: OwnInstance): Material 
   own.side = 2;
   own.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, { quiet, quietPaper: paper });
+    // Of the roots, which are nearly what the eye sees: in linear light a little paper makes black a middle grey.
     const fade =
-      'float grey = dot(gl_FragColor.rgb, vec3(0.3, 0.6, 0.1));' +
-      'gl_FragColor.rgb = mix(gl_FragColor.rgb, mix(vec3(grey), quietPaper, 0.55), quiet);';
+      'vec3 seen = sqrt(max(gl_FragColor.rgb, 0.0));' +
+      'vec3 faded = mix(vec3(dot(seen, vec3(0.3, 0.6, 0.1))), sqrt(quietPaper), 0.55);' +
+      'seen = mix(seen, faded, quiet);' +
+      'gl_FragColor.rgb = seen * seen;';
     shader.fragmentShader = shader.fragmentShader
       .replace('void main() {', 'uniform float quiet; uniform vec3 quietPaper; void main() {')
       .replace('#include <colorspace_fragment>', `${fade}\n#include <colorspace_fragment>`);

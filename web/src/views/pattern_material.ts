@@ -173,8 +173,11 @@ float reflected(vec3 n) {
 void main() {
   vec3 base = shade(vUv * scale);
   base = mix(base, vTint.rgb, vTint.a);
-  bool isBack = gl_FrontFacing == isMirrored;
-  vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12)) * (isBack ? -1.0 : 1.0);
+  vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
+  // Not where the smooth normal is still on this side: there, at an outline, a triangle behind shows by a pixel, because
+  // the offset of depths grows with the slope.
+  bool isBack = gl_FrontFacing == isMirrored && n.z < 0.05;
+  if (isBack) n = -n;
   float shade = mix(1.0, reflected(toStudio * n), lit);
   if (lit > 0.5 && light == 2) {
     float facing = 0.5 + 0.5 * dot(n, normalize(vec3(0.3, 0.6, 0.75)));
@@ -182,7 +185,7 @@ void main() {
     base += 0.4 * pow(max(dot(n, normalize(vec3(0.35, 0.5, 0.8))), 0.0), 36.0);
   }
   if (light == 3) shade = 1.0;
-  else if (lit > 0.5 && isBack) shade *= 0.55;
+  else if (lit > 0.5 && isBack) shade *= mix(1.0, 0.55, smoothstep(0.0, 0.35, n.z));
   base *= shade;
   float grey = dot(base, vec3(0.3, 0.6, 0.1));
   base = mix(base, mix(vec3(grey), paper, 0.55), dim);

@@ -44,6 +44,7 @@ export interface SceneContent {
 
 interface Part {
   mesh: number;
+  isPlaced: boolean;
   geometry: BufferGeometry;
   tree: MeshBVH;
   material: ShaderMaterial;
@@ -51,6 +52,8 @@ interface Part {
 }
 
 const quiet = { withMap: 0.3, certified: 0.12, plain: 0.62, pointedAt: 0.08 };
+/** Of that, with materials of the file: a scene shall be seen as it is, with a hint of what is not open. */
+const quietWithOwn = 0.5;
 const maxPoints = 4000; // of each part that framing looks at
 
 export class WholeScene extends Group {
@@ -81,10 +84,10 @@ export class WholeScene extends Group {
     }
     this.#of = parts;
     this.#pointedAt = -1;
-    this.#parts = parts.map(({ mesh, cornerPositions, cornerNormals, tree, matrices }) => {
+    this.#parts = parts.map(({ mesh, isPlaced, tree, matrices, ...shape }) => {
       const geometry = new BufferGeometry();
-      geometry.setAttribute('position', new BufferAttribute(cornerPositions, 3));
-      geometry.setAttribute('normal', new BufferAttribute(cornerNormals, 4, true));
+      geometry.setAttribute('position', new BufferAttribute(shape.cornerPositions, 3));
+      geometry.setAttribute('normal', new BufferAttribute(shape.cornerNormals, 4, true));
       const material = surfaceMaterial(true, this.#toStudio);
       const instances = matrices.map((matrix, instance) => {
         const one = new Mesh(geometry, material);
@@ -95,7 +98,7 @@ export class WholeScene extends Group {
         return one;
       });
       if (instances.length > 0) this.add(...instances);
-      return { mesh, geometry, tree: bvhFrom(tree, geometry), material, instances };
+      return { mesh, isPlaced, geometry, tree: bvhFrom(tree, geometry), material, instances };
     });
     this.updateMatrixWorld(true);
   }
@@ -130,15 +133,15 @@ export class WholeScene extends Group {
   /** What is visible: not the instance that the view draws, and of the others materials or pattern. */
   #choose(): void {
     const { open = -1, maps, isOwnShown = false, palette } = this.#content ?? {};
-    for (const { mesh, instances } of this.#parts) {
+    for (const { mesh, isPlaced, instances } of this.#parts) {
       const own = this.#own?.get(mesh) ?? [];
       instances.forEach((one, i) => {
         const isOpen = mesh === open && i === 0;
         const hasOwn = own[i] !== undefined && (isOwnShown || !maps?.has(mesh));
-        one.visible = !isOpen && !hasOwn;
+        one.visible = isPlaced && !isOpen && !hasOwn;
         if (!own[i]) return;
-        if (!isOpen) own[i].visible = hasOwn;
-        own[i].quiet.value = isOpen ? 0 : this.#dimOf(mesh);
+        if (!isOpen) own[i].visible = isPlaced && hasOwn;
+        own[i].quiet.value = isOpen ? 0 : quietWithOwn * this.#dimOf(mesh);
         if (palette) own[i].paper.value = palette.paper;
       });
     }
@@ -157,7 +160,8 @@ export class WholeScene extends Group {
   pick(ray: Ray, within: number): number {
     const { open } = this.#content ?? {};
     let [found, nearest] = [-1, within];
-    for (const { mesh, tree, instances } of this.#parts) {
+    for (const { mesh, isPlaced, tree, instances } of this.#parts) {
+      if (!isPlaced) continue;
       instances.forEach(({ matrix }, i) => {
         if (mesh === open && i === 0) return;
         const back = matrix.clone().invert();
@@ -174,7 +178,8 @@ export class WholeScene extends Group {
 function pointsOf(parts: readonly ScenePart[]): Float64Array {
   const found: number[] = [];
   const point = new Vector3();
-  for (const { cornerPositions: p, matrices } of parts) {
+  for (const { isPlaced, cornerPositions: p, matrices } of parts) {
+    if (!isPlaced) continue;
     const step = 3 * Math.max(1, Math.ceil((p.length / 3 / maxPoints) * matrices.length));
     for (const one of matrices) {
       const matrix = new Matrix4().fromArray(one);

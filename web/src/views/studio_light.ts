@@ -36,11 +36,12 @@ const unit = ([x, y, z]: Direction): Direction => {
 
 const lamps: Lamp[] = [
   { towards: unit([0.6, 0.7, 0.6]), radiance: 2.6, sharpness: 10 },
+  { towards: unit([0.6, 0.7, 0.6]), radiance: 5, sharpness: 120 }, // its core, which metals show
   { towards: unit([-0.55, 0.05, 0.85]), radiance: 0.75, sharpness: 3 },
   { towards: unit([-0.35, 0.55, -0.85]), radiance: 0.9, sharpness: 7 },
 ];
-const floor = 0.24;
-const ceiling = 0.42;
+const floor = 0.15;
+const ceiling = 0.4;
 /**
  * How much brighter materials are lit than patterns: these have no tone mapping and would lose their shape in white. With
  * it, own materials have 92 to 95 % of the mean luminance that they have in <model-viewer> with its neutral environment

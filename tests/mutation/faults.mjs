@@ -178,7 +178,7 @@ export const faults = [
     { programs: ['grid', 'api'] },
   ),
   fault(
-    'parametrize/strategy/loop.cpp',
+    'parametrize/strategy/found.cpp',
     '!best || distanceToCertified(*attempt) < distanceToCertified(*best)',
     'true',
   ),

@@ -75,11 +75,6 @@ struct SolveOptions {
   /// One side of a plane is solved and the other is its mirror image, bit for bit; the plane is a feature.
   Symmetry symmetry = Symmetry::kNone;
   Progress progress;
-
-  /// Whether they say more about automatic cones than q.
-  bool choosesCones() const {
-    return coneCount > 0 || conesFor != ConesFor::kBalanced || alignToCurvature;
-  }
 };
 
 struct VerifyOptions {

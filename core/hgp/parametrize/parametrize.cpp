@@ -142,20 +142,16 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   const bool mayTurn = isFree && hasOpenHandles(surface, spec);
   // What a few untanglings do not solve, other handles mostly do, and sooner than more untanglings.
   const bool isCut = mayTurn && !mayEven;
-  const ParametrizeOptions first = isCut ? within(options, kStepsOfHandles, faceCount) : options;
-  Result<Parametrization> run = inEitherMetric(surface, spec, first, mayEven);
+  std::shared_ptr<PausedSearch> paused;
+  Result<Parametrization> run =
+      isCut
+          ? parametrizeInMetric(surface, spec, within(options, kStepsOfHandles, faceCount), &paused)
+          : inEitherMetric(surface, spec, options, mayEven);
   if (!mayTurn || !run || run->isCertified || run->isImpossible) return run;
-  const std::vector<Round> before = run->rounds;
   run = withOtherHandles(surface, spec, options, std::move(*run));
-  const bool isAtEnd = static_cast<int>(before.size()) == options.maxRounds;
-  if (!isCut || isAtEnd || !run || run->isCertified) return run;
-  Result<Parametrization> whole = parametrizeInMetric(surface, spec, options);
+  if (!paused || !run || run->isCertified) return run;
+  Result<Parametrization> whole = parametrizeInMetric(surface, spec, options, &paused);
   if (!whole) return whole;
-  // It begins with the same rounds again.
-  const auto isSame = [](const Round& a, const Round& b) { return a.method == b.method; };
-  const auto again = std::mismatch(before.begin(), before.end(), whole->rounds.begin(),
-                                   whole->rounds.end(), isSame);
-  whole->rounds.erase(whole->rounds.begin(), again.second);
   prepend(whole->rounds, run->rounds);
   prepend(whole->times, run->times);
   return whole;

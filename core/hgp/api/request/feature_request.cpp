@@ -224,6 +224,11 @@ bool isFeaturesOnly(const prescription::Prescription& prescription) {
          prescription.totalAngles.empty();
 }
 
+bool choosesCones(const SolveOptions& options) {
+  return options.coneCount > 0 || options.conesFor != ConesFor::kBalanced ||
+         options.alignToCurvature;
+}
+
 Status checkFeatures(const std::optional<prescription::Prescription>& prescription,
                      const SolveOptions& options) {
   const bool isRectangle = options.boundary == BoundaryKind::kRectangle;

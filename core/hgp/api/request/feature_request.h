@@ -16,6 +16,9 @@ void addRims(const TriMesh& mesh, HolonomySpec& spec);
 /// Whether nothing but features is prescribed, so that cones are chosen automatically.
 bool isFeaturesOnly(const prescription::Prescription& prescription);
 
+/// Whether the options say more about automatic cones than q; where there are features, a field along them has the cones.
+bool choosesCones(const SolveOptions& options);
+
 /// Fails with kUsage for options that do not go with features.
 Status checkFeatures(const std::optional<prescription::Prescription>& prescription,
                      const SolveOptions& options);

@@ -4,6 +4,7 @@
 #include <climits>
 
 #include "hgp/api/model/mirrors.h"
+#include "hgp/api/request/feature_request.h"
 #include "hgp/base/check.h"
 #include "hgp/parametrize/stage_clock.h"
 
@@ -24,7 +25,7 @@ Status checkPossible(const SolveOptions& options, const Request& request) {
   if (options.refines) return clash("a refined mesh is not symmetric; leave out either");
   if (options.convexPolygons)
     return clash("convex polygons would move uv on one side only; leave out either");
-  if (options.choosesCones())
+  if (choosesCones(options))
     return clash(
         "cones of a symmetric map are those of a field; leave out their number, purpose "
         "and alignment");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "hgp/base/counted.h"
 #include "hgp/parametrize/after/free_rotation.h"
@@ -14,58 +15,18 @@
 #include "hgp/parametrize/seamless_setup.h"
 #include "hgp/parametrize/stage_clock.h"
 #include "hgp/parametrize/strategy/attempt.h"
+#include "hgp/parametrize/strategy/found.h"
 #include "hgp/parametrize/strategy/moves/moves.h"
 
 namespace hgp {
 namespace {
 
-/// Orders maps, to keep the best one: −1 when certified, then by the number of wrong triangles, vertices and loops.
-long long distanceToCertified(const Attempt& attempt) {
-  if (attempt.certificate.isCertified) return -1;
-  return attempt.certificate.isMeasured ? attempt.wrongCount : 1LL << 40;
-}
-
 /// A harmonic map of more mean μ than this is compared with the one for cotangent weights and with the next map that is
-/// certified, and is kept unless its μ is larger by more than this factor.
+/// certified.
 constexpr double kDistorted = 0.06;
 /// Where boundaries are long, the next map costs as much as the harmonic one, and harmonic maps of long triangles beside them
 /// may have three times as much.
 constexpr double kDistortedLong = 0.01;
-constexpr double kMuchLarger = 1.05;
-
-double meanMuOf(const Attempt& attempt) { return attempt.certificate.distortion.meanMu; }
-
-bool isMuchLarger(const Attempt& attempt, const Attempt& other) {
-  return meanMuOf(attempt) > kMuchLarger * meanMuOf(other);
-}
-
-/// Of the maps so far, `best` is to be delivered; of the harmonic ones that are certified, `harmonic` has the least μ. The
-/// paper's weights go before others, and harmonic maps before all others, where μ is not much larger.
-struct Found {
-  std::shared_ptr<const Attempt> best, harmonic;
-  std::shared_ptr<const Attempt> unfolded;  ///< certified with its own cones, the fewest wrong
-
-  void add(const std::shared_ptr<const Attempt>& attempt, bool isHarmonic) {
-    const bool isCertified = attempt->certificate.isCertified;
-    if (isHarmonic && isCertified && (!harmonic || meanMuOf(*attempt) < meanMuOf(*harmonic)))
-      harmonic = attempt;
-    if (best && best->certificate.isCertified) {
-      if (isCertified && isMuchLarger(*best, *attempt))
-        best = harmonic && !isMuchLarger(*harmonic, *attempt) ? harmonic : attempt;
-    } else if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) {
-      best = attempt;
-    }
-  }
-
-  /// A map that is wrong only by the cones it was asked for. (Others may be too fine for float64 besides.)
-  void addOwn(const Problem& problem, const std::shared_ptr<const Attempt>& attempt) {
-    const Certificate& c = attempt->certificate;
-    if (c.isCertified || !c.isMeasured || !c.orientation.notPositive.empty()) return;
-    if (unfolded && attempt->wrongCount >= unfolded->wrongCount) return;
-    const CompleteSpec own = ownPrescription(problem.setup->field.spec, c);
-    if (certify(problem.mesh, toSpec(own), attempt->map).isCertified) unfolded = attempt;
-  }
-};
 
 /// Whether the next weighting is tried although `best` is a certified harmonic map. Orbifolds have one harmonic map, to which
 /// soft constraints are no alternative. On flat tori with irregular triangles the cotangent weights, the only ones that give
@@ -80,6 +41,15 @@ bool isCompared(const Problem& problem, const State& state, const Attempt& best)
                         problem.weightings[next].rows == WeightKind::kCotangent;
   const double limit = weighting.quality > 0.0 ? kDistortedLong : kDistorted;
   return isTorus || (hasRival && meanMuOf(best) > limit);
+}
+
+/// A map that is wrong only by the cones it was asked for. (Others may be too fine for float64 besides.)
+void addOwn(const Problem& problem, const std::shared_ptr<const Attempt>& attempt, Found& found) {
+  const Certificate& c = attempt->certificate;
+  if (c.isCertified || !c.isMeasured || !c.orientation.notPositive.empty()) return;
+  if (found.unfolded && attempt->wrongCount >= found.unfolded->wrongCount) return;
+  const CompleteSpec own = ownPrescription(problem.setup->field.spec, c);
+  if (certify(problem.mesh, toSpec(own), attempt->map).isCertified) found.unfolded = attempt;
 }
 
 void explain(const SeamlessSetup& setup, bool hasGivenFrames, const Attempt& best,
@@ -128,55 +98,109 @@ bool isOtherStart(const State& next, const State& state) {
 
 }  // namespace
 
+struct PausedSearch {
+  std::shared_ptr<const SeamlessSetup> setup;
+  std::shared_ptr<AngleFrames> angles;
+  Found found;
+  std::set<std::uint64_t> tried;
+  State state;
+  std::shared_ptr<const Attempt> attempt;  ///< of `state`; the next move is asked after it
+  int round = 0;
+  double spent = 0.0;  ///< faceStepsOf
+};
+
 /// The loop [BCW17 §7]: solve and verify a state, keep the best map, take the first move that applies; until a map is
-/// certified, no move applies, or the left or the rounds are spent.
+/// certified, no move applies, or the steps or the rounds are spent.
+/// @param at            where it begins and ends; `attempt` is null at the end if it is not to go on
 /// @param isImpossible  asked once, after a first round without a map
 static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
                                                     const ParametrizeOptions& options,
                                                     const std::function<bool()>& isImpossible,
-                                                    std::vector<Round>& rounds) {
+                                                    PausedSearch& at, std::vector<Round>& rounds) {
   Attempts attempts(problem, options);
-  Found found;
-  std::set<std::uint64_t> tried;
-  State state = firstState(problem);
-  double left = problem.maxFaceSteps;
-  for (int round = 1; round <= options.maxRounds; ++round) {
+  Found& found = at.found;
+  bool isNext = true;
+  if (const auto last = std::exchange(at.attempt, nullptr)) {
+    std::optional<State> next = firstMove(problem, at.state, last, at.tried);
+    isNext = next && !(found.unfolded && isOtherStart(*next, at.state));
+    if (isNext) at.state = std::move(*next);
+  }
+  while (isNext && at.round < options.maxRounds) {
+    const int round = ++at.round;
     if (!report(options.progress, {Stage::kSolve, 0.0, -1, -1.0, round, options.maxRounds}))
       return cancelled(Stage::kSolve);
     const auto start = Clock::now();
-    tried.insert(hashOf(state));
+    const State& state = at.state;
+    at.tried.insert(hashOf(state));
     const std::shared_ptr<const Attempt> attempt = attempts.make(state, round);
     if (!attempt) return cancelled(Stage::kSolve);
     rounds.push_back(roundOf(nameOf(problem, state), attempt->frames.faces.size(), attempt->program,
                              attempt->certificate, secondsSince(start)));
     found.add(attempt, problem.weightings[state.weighting].isHarmonic);
-    if (options.areConesFree) found.addOwn(problem, attempt);
-    left -= faceStepsOf(rounds.back(), problem.mesh.faceCount());
+    if (options.areConesFree) addOwn(problem, attempt, found);
+    at.spent += faceStepsOf(rounds.back(), problem.mesh.faceCount());
+    const bool isCertified = attempt->certificate.isCertified;
     const bool isOdd = isCompared(problem, state, *found.best);
-    if ((attempt->certificate.isCertified && !isOdd) || left <= 0.0) break;
+    if (isCertified && !isOdd) break;
+    if (at.spent >= problem.maxFaceSteps) {
+      if (!found.best->certificate.isCertified) at.attempt = attempt;
+      break;
+    }
     // Where no map on this mesh has the angles, the map of one round shows --refine which edges to split.
-    if (round == 1 && !attempt->certificate.isCertified && isImpossible()) break;
-    std::optional<State> next =
-        isOdd ? nextWeighting(problem, state, attempt) : firstMove(problem, state, attempt, tried);
+    if (round == 1 && !isCertified && isImpossible()) break;
+    std::optional<State> next = isOdd ? nextWeighting(problem, state, attempt)
+                                      : firstMove(problem, state, attempt, at.tried);
     if (!next || (found.unfolded && isOtherStart(*next, state))) break;
-    state = std::move(*next);
+    at.state = std::move(*next);
   }
   if (!found.best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
   return found.unfolded && !found.best->certificate.isCertified ? found.unfolded : found.best;
 }
 
+/// What is asked for besides a map, or needed for one that float64 holds.
+static Status improveAndAlign(const TriMesh& mesh, const ParametrizeOptions& options,
+                              bool isOnlyTooFine, MappedSolution& mapped, Parametrization& result) {
+  if (isOnlyTooFine && options.method == Method::kAuto)
+    if (Status done = evenOut(mesh, options, mapped, result); !done) return done;
+  if (mapped.certificate.isCertified && options.improve)
+    if (Status done = improveSolution(mesh, options, mapped, result); !done) return done;
+  if (mapped.certificate.isCertified && options.grid.isAsked())
+    return alignSolution(mesh, options, mapped, result);
+  return Done{};
+}
+
+static Result<std::shared_ptr<PausedSearch>> newSearch(PreparedSurface& surface,
+                                                       const HolonomySpec& spec,
+                                                       const ParametrizeOptions& options,
+                                                       std::vector<StageTime>& times) {
+  Result<SeamlessSetup> prepared = prepareSeamless(surface, spec, options, times);
+  if (!prepared) return std::move(prepared).error();
+  auto at = std::make_shared<PausedSearch>();
+  at->setup = std::make_shared<const SeamlessSetup>(std::move(*prepared));
+  const Problem problem = problemOf(surface.mesh(), at->setup, options);
+  at->angles = problem.angles;
+  at->state = firstState(problem);
+  return at;
+}
+
 Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const HolonomySpec& spec,
-                                            const ParametrizeOptions& options) {
+                                            const ParametrizeOptions& options,
+                                            std::shared_ptr<PausedSearch>* paused) {
   const TriMesh& mesh = surface.mesh();
   Parametrization result;
-  Result<SeamlessSetup> prepared = prepareSeamless(surface, spec, options, result.times);
-  if (!prepared) return std::move(prepared).error();
-  const auto setup = std::make_shared<const SeamlessSetup>(std::move(*prepared));
+  std::shared_ptr<PausedSearch> at = paused ? std::exchange(*paused, nullptr) : nullptr;
+  if (!at) {
+    Result<std::shared_ptr<PausedSearch>> search = newSearch(surface, spec, options, result.times);
+    if (!search) return std::move(search).error();
+    at = std::move(*search);
+  }
+  const std::shared_ptr<const SeamlessSetup>& setup = at->setup;
   result.spec = setup->field.spec;
   result.notes = setup->warnings;
 
   const auto start = Clock::now();
-  const Problem problem = problemOf(mesh, setup, options);
+  Problem problem = problemOf(mesh, setup, options);
+  problem.angles = at->angles;
   const auto isImpossible = [&] {
     std::optional<Note> proof;
     if (!setup->isTooCoarse)
@@ -186,8 +210,9 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
     return result.isImpossible;
   };
   Result<std::shared_ptr<const Attempt>> best =
-      solve(problem, options, isImpossible, result.rounds);
+      solve(problem, options, isImpossible, *at, result.rounds);
   if (!best) return std::move(best).error();
+  if (paused && at->attempt) *paused = at;
   result.times.push_back({Stage::kSolve, secondsSince(start)});
   const Attempt& attempt = **best;
   MappedSolution mapped{
@@ -195,14 +220,8 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
   if (options.areConesFree) keepOwnCones(mesh, mapped, result);
   (options.frames ? turnAsFramesSay : turnAsTheSurfaceLies)(mesh, mapped);
   const bool isOnlyTooFine = !mapped.certificate.isCertified && attempt.wrongCount == 0;
-  if (isOnlyTooFine && options.method == Method::kAuto)
-    if (Status done = evenOut(mesh, options, mapped, result); !done) return std::move(done).error();
-  if (mapped.certificate.isCertified && options.improve)
-    if (Status done = improveSolution(mesh, options, mapped, result); !done)
-      return std::move(done).error();
-  if (mapped.certificate.isCertified && options.grid.isAsked())
-    if (Status done = alignSolution(mesh, options, mapped, result); !done)
-      return std::move(done).error();
+  if (Status done = improveAndAlign(mesh, options, isOnlyTooFine, mapped, result); !done)
+    return std::move(done).error();
   result.map = std::move(mapped.map);
   result.certificate = std::move(mapped.certificate);
   if (!result.certificate.isCertified) result.strained = attempt.program.strained;

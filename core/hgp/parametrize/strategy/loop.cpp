@@ -107,6 +107,15 @@ struct PausedSearch {
   std::shared_ptr<const Attempt> attempt;  ///< of `state`; the next move is asked after it
   int round = 0;
   double spent = 0.0;  ///< faceStepsOf
+
+  /// Gives a problem of the same setup the frames of angles that are known, or begins with its first state.
+  void connect(Problem& problem) {
+    if (!angles) {
+      angles = problem.angles;
+      state = firstState(problem);
+    }
+    problem.angles = angles;
+  }
 };
 
 /// The loop [BCW17 §7]: solve and verify a state, keep the best map, take the first move that applies; until a map is
@@ -177,9 +186,6 @@ static Result<std::shared_ptr<PausedSearch>> newSearch(PreparedSurface& surface,
   if (!prepared) return std::move(prepared).error();
   auto at = std::make_shared<PausedSearch>();
   at->setup = std::make_shared<const SeamlessSetup>(std::move(*prepared));
-  const Problem problem = problemOf(surface.mesh(), at->setup, options);
-  at->angles = problem.angles;
-  at->state = firstState(problem);
   return at;
 }
 
@@ -200,7 +206,7 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
 
   const auto start = Clock::now();
   Problem problem = problemOf(mesh, setup, options);
-  problem.angles = at->angles;
+  at->connect(problem);
   const auto isImpossible = [&] {
     std::optional<Note> proof;
     if (!setup->isTooCoarse)

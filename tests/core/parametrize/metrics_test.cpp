@@ -18,21 +18,21 @@ using test::stretched;
 /// Solved once for all tests.
 const Result<Parametrization>& mapOfThinTriangles() {
   static const Result<Parametrization> solved = [] {
-    const TriMesh mesh = stretched(1000.0);
+    const TriMesh mesh = stretched(1e5);
     return parametrize(mesh, manyCones(mesh), {});
   }();
   return solved;
 }
 
 TEST(Metrics, VeryThinTrianglesAreMappedWithEvenedLengths) {
-  const TriMesh mesh = stretched(1000.0);
+  const TriMesh mesh = stretched(1e5);
   const Result<Parametrization>& p = mapOfThinTriangles();
   ASSERT_TRUE(p) << p.error().message;
   expectMappedWithEvenedLengths(mesh, *p);
 }
 
 TEST(Metrics, TheMapHasTheAreaOfTheSurfaceItself) {
-  const TriMesh mesh = stretched(1000.0);
+  const TriMesh mesh = stretched(1e5);
   const Result<Parametrization>& p = mapOfThinTriangles();
   ASSERT_TRUE(p && p->isCertified && evenedRounds(*p) > 0);
   const Geometry own = computeGeometry(mesh);
@@ -76,7 +76,7 @@ TEST(Metrics, SurfacesWithoutThinTrianglesAreSolvedInTheirOwnMetricAlone) {
 }
 
 TEST(Metrics, AMethodThatIsAskedForByNameIsNotReplaced) {
-  const TriMesh mesh = stretched(1000.0);
+  const TriMesh mesh = stretched(1e5);
   ParametrizeOptions options;
   options.method = Method::kHarmonic;
   const Result<Parametrization> p = parametrize(mesh, manyCones(mesh), options);

@@ -27,44 +27,30 @@ void reportQuads(const std::string& output, const api::QuadFile& quads) {
     std::fprintf(stderr, "  wrote %s: the same as quads, which glTF does not have\n",
                  printable(beside).c_str());
   }
-  if (quads.cuts > 0) {
-    std::fprintf(stderr,
-                 "  note: %s of quads %s cut lengthwise: otherwise more than one edge would join "
-                 "%s, around "
-                 "handles and cones one or two cells apart\n",
-                 counted(quads.cuts, "strip").c_str(), quads.cuts == 1 ? "is" : "are",
-                 counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
-  }
-  if (quads.replaced > 0) {
-    std::fprintf(
-        stderr,
-        "  note: %s replaced by a vertex of valence 3, beside vertices of valence 3 and 5: "
-        "otherwise "
-        "more than one edge would join %s, around handles and cones one or two cells apart\n",
-        counted(quads.replaced, "edge is", "edges are").c_str(),
-        counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
-  }
-  if (quads.foldedInSpace > 0) {
-    std::fprintf(stderr,
-                 "  note: %s folded in space, where the surface bends more than a cell can follow; "
-                 "more cells lower that\n",
-                 counted(quads.foldedInSpace, "quad is", "quads are").c_str());
-  }
-  if (quads.halvings > 0) {
-    std::fprintf(stderr,
-                 "  note: every cell is cut into %d quads: otherwise more than one edge would join "
-                 "%s, around handles and cones one or two cells apart\n",
-                 1 << (2 * quads.halvings),
-                 counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
-  }
-  if (quads.foldedQuads > 0) {
-    std::fprintf(stderr,
-                 "  note: %s at cones of k = 1; two edges of such a quad are one, which many "
-                 "programs misread\n",
-                 counted(quads.foldedQuads, "quad meets itself", "quads meet themselves").c_str());
-  }
-  for (const Note& note : quads.notes)
-    std::fprintf(stderr, "  note: %s\n", printable(phrase(note)).c_str());
+  const auto say = [](const std::string& text) {
+    std::fprintf(stderr, "  note: %s\n", printable(text).c_str());
+  };
+  const std::string otherwise =
+      ": otherwise more than one edge would join " +
+      counted(quads.multipleEdges, "pair of vertices", "pairs of vertices") +
+      ", around handles and cones one or two cells apart";
+  if (quads.cuts > 0)
+    say(counted(quads.cuts, "strip of quads is", "strips of quads are") + " cut lengthwise" +
+        otherwise);
+  if (quads.replaced > 0)
+    say(counted(quads.replaced, "edge is", "edges are") +
+        " replaced by a vertex of valence 3, beside vertices of valence 3 and 5" + otherwise);
+  if (quads.foldedInSpace > 0)
+    say(counted(quads.foldedInSpace, "quad is", "quads are") +
+        " folded in space, where the surface bends more than a cell can follow; more cells lower "
+        "that");
+  if (quads.halvings > 0)
+    say("every cell is cut into " + std::to_string(1 << (2 * quads.halvings)) + " quads" +
+        otherwise);
+  if (quads.foldedQuads > 0)
+    say(counted(quads.foldedQuads, "quad meets itself", "quads meet themselves") +
+        " at cones of k = 1; two edges of such a quad are one, which many programs misread");
+  for (const Note& note : quads.notes) say(phrase(note));
 }
 
 }  // namespace hgp::cli

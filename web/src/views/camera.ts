@@ -93,31 +93,26 @@ export class Orbit {
     const wide = high * this.#camera.aspect;
     const { center, radius, places } = this.#framed;
     const target = center.clone();
+    const point = new Vector3();
     const step = 3 * Math.max(1, Math.ceil(places.length / 3 / maxPoints));
     let distance = (radius * margin) / Math.sin(Math.atan(Math.min(high, wide)));
-    // The picture is centred for one distance, and the distance found for that centre, in turn. With numbers alone:
-    // vectors would take so long for so many points that a frame is lost.
+    // The picture is centred for one distance, and the distance found for that centre, in turn.
     for (let round = 0; round < 3 && places.length > 0; round++) {
-      let [left, most, low, top, nearest] = [Infinity, -Infinity, Infinity, -Infinity, 0];
+      const [low, far] = [new Vector3(Infinity, Infinity), new Vector3(-Infinity, -Infinity)];
+      let nearest = 0;
       for (let i = 0; i < places.length; i += step) {
-        const px = places[i] - target.x;
-        const py = places[i + 1] - target.y;
-        const pz = places[i + 2] - target.z;
-        const x = px * right.x + py * right.y + pz * right.z;
-        const y = px * up.x + py * up.y + pz * up.z;
-        const z = px * direction.x + py * direction.y + pz * direction.z;
+        point.set(places[i], places[i + 1], places[i + 2]).sub(target);
+        const [x, y, z] = [point.dot(right), point.dot(up), point.dot(direction)];
         if (!Number.isFinite(x + y + z)) continue;
         nearest = Math.max(nearest, z + Math.abs(x) / wide, z + Math.abs(y) / high);
         const depth = Math.max(distance - z, 1e-3 * distance);
-        left = Math.min(left, x / depth);
-        most = Math.max(most, x / depth);
-        low = Math.min(low, y / depth);
-        top = Math.max(top, y / depth);
+        low.min(point.set(x / depth, y / depth, 0));
+        far.max(point);
       }
       if (nearest > 0) distance = nearest * margin;
       if (round === 2) break;
-      target.addScaledVector(right, (distance * (left + most)) / 2);
-      target.addScaledVector(up, (distance * (low + top)) / 2);
+      target.addScaledVector(right, (distance * (low.x + far.x)) / 2);
+      target.addScaledVector(up, (distance * (low.y + far.y)) / 2);
     }
     return { target, distance };
   }

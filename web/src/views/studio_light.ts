@@ -44,8 +44,8 @@ const floor = 0.15;
 const ceiling = 0.4;
 /**
  * How much brighter materials are lit than patterns: these have no tone mapping and would lose their shape in white. With
- * it, own materials have 92 to 95 % of the mean luminance that they have in <model-viewer> with its neutral environment
- * (two models).
+ * it, own materials had 92 to 95 % of the mean luminance that they have in <model-viewer> with its neutral environment
+ * (two models); the core of the lamp and the darker floor have changed that by −1 %, of polished metal by −6 %.
  */
 const exposure = 1.5;
 

@@ -278,7 +278,9 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
   const bool hasFeatures =
       request->plane || std::any_of(request->components.begin(), request->components.end(),
                                     [](const auto& c) { return !c.spec.features.empty(); });
-  if (hasFeatures && choosesCones(options)) run.notes.push_back(Note("features-own-cones"));
+  const bool hasCones = prescription && prescription->hasCones;
+  if (hasFeatures && !hasCones && choosesCones(options))
+    run.notes.push_back(Note("features-own-cones"));
   if (hasFeatures) {
     if (Status done = solveSplit(*request, options, run); !done) return done;
   } else {

@@ -8,6 +8,7 @@
 #include "edits.h"
 #include "files.h"
 #include "hgp/api/model/load_model.h"
+#include "hgp/base/threads.h"
 #include "hgp/parametrize/live_edit.h"
 #include "hgp/parametrize/parametrize.h"
 #include "process_memory.h"
@@ -207,5 +208,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hgp::cli::keepFreedMemory();  // as everything that works on one surface for long keeps it
+  hgp::setThreads(1);           // as of the other tables: a second one adds its waiting
   return hgp::bench::run(argc, argv);
 }

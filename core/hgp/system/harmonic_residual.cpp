@@ -27,7 +27,8 @@ class Residual {
       const CornerWeights w = cornerWeights(kind_, mesh_, geometry_, h);
       const Complex toHead = uv(TriMesh::next(h)) - uv(h);
       const Complex toThird = uv(TriMesh::previous(h)) - uv(h);
-      sum -= rotation(-turn, q_) * (w.toHead * toHead + w.toThird * toThird);
+      const Complex here = w.toHead * toHead + w.toThird * toThird;
+      sum -= turn == 0 ? here : rotation(-turn, q_) * here;
       weight += w.toHead + w.toThird;
       length += portable::abs(toHead) + portable::abs(toThird);
       sides += 2;
@@ -58,8 +59,9 @@ class Residual {
   WeightKind kind_;
 };
 
+/// Up to the row with which more than maxViolated are violated.
 HarmonicFacts factsOf(const TriMesh& mesh, const Residual& residual, const PerVertex<char>& isCone,
-                      double gridStep) {
+                      double gridStep, int maxViolated) {
   HarmonicFacts facts;
   // Both ends of a difference move by up to half a step in u and in v.
   const double rounding = std::sqrt(2.0) * gridStep;
@@ -68,6 +70,7 @@ HarmonicFacts factsOf(const TriMesh& mesh, const Residual& residual, const PerVe
     ++facts.rows;
     const Residual::AtVertex here = residual.at(v);
     facts.violated += !(here.residual <= kHarmonicTolerance * here.meanEdge + rounding);
+    if (facts.violated > maxViolated) return facts;
     const double relative = here.meanEdge > 0 ? here.residual / here.meanEdge : 0;
     if (relative <= facts.largestResidual && facts.worst.isValid()) continue;
     facts.largestResidual = relative;
@@ -82,14 +85,15 @@ HarmonicFacts measureHarmonicity(const TriMesh& mesh, const Geometry& geometry, 
                                  int q, const std::vector<VertexId>& cones, double gridStep) {
   PerVertex<char> isCone(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (VertexId v : cones) isCone[v] = 1;
-  const auto with = [&](WeightKind kind) {
-    HarmonicFacts facts = factsOf(mesh, Residual(mesh, geometry, map, q, kind), isCone, gridStep);
+  const auto with = [&](WeightKind kind, int maxViolated) {
+    const Residual residual(mesh, geometry, map, q, kind);
+    HarmonicFacts facts = factsOf(mesh, residual, isCone, gridStep, maxViolated);
     facts.weights = kind;
     return facts;
   };
-  const HarmonicFacts meanValue = with(WeightKind::kMeanValue);
+  const HarmonicFacts meanValue = with(WeightKind::kMeanValue, mesh.vertexCount());
   if (meanValue.violated == 0) return meanValue;
-  const HarmonicFacts cotangent = with(WeightKind::kCotangent);
+  const HarmonicFacts cotangent = with(WeightKind::kCotangent, 0);
   return cotangent.violated == 0 ? cotangent : meanValue;
 }
 

@@ -57,7 +57,7 @@ async function inLanes(files, run) {
 }
 
 /** Unit tests of the page's TypeScript without a browser, in two processes, since starting them takes most of the time. */
-function unitTests(log) {
+function runUnits(log) {
   const files = testFiles('web/units');
   const hooks = '--import=./tests/support/typescript.mjs';
   // Those that run the whole page put a document into their process, which units of views must not find there.
@@ -76,25 +76,45 @@ function unitTests(log) {
   ]);
 }
 
+/** Counts tests that depend on their inputs alone: those of the last time if nothing has changed since they passed. */
+async function unlessUnchanged(log, name, inputs, count) {
+  const keyNow = () => kept.key(name, ...inputs());
+  const key = keyNow();
+  const found = kept.find(key);
+  if (found) {
+    log.write(`unchanged since it passed: ${name}\n`);
+    return found;
+  }
+  const counts = await count();
+  kept.keep(key, keyNow(), name, counts);
+  return counts;
+}
+
 /** Runs test files whose inputs have changed since they passed, several at a time, and counts all. */
 async function runChanged(log, files, lanes, inputs) {
-  const keyOf = (file) => kept.key(file, ...inputs());
-  const all = await inParallel(files, lanes, async (file) => {
-    const key = keyOf(file);
-    const found = kept.find(key);
-    if (found) {
-      log.write(`unchanged since it passed: ${file}\n`);
-      return found;
-    }
-    const counts = await counted(log, '--test', file);
-    kept.keep(key, keyOf(file), file, counts);
-    return counts;
-  });
-  return sum(all);
+  return sum(
+    await inParallel(files, lanes, (file) =>
+      unlessUnchanged(log, file, inputs, () => counted(log, '--test', file)),
+    ),
+  );
 }
 
 const program = 'build/native-release/bin/hgp';
+
+/** What tests of the page may read: everything but what only other stages read. */
+const pageInputs =
+  (...built) =>
+  () => [
+    ...[program, 'build/package', ...built].map(contentOf),
+    treeContent(
+      (name) => !/^(bench|python|tests\/(core|cli|install|python|mutation))\//.test(name),
+    ),
+    listingOf(data),
+  ];
+
 const isOf = (folders) => (name) => folders.test(name) && !/\.(cpp|h)$/.test(name);
+
+const unitTests = (log) => unlessUnchanged(log, 'units', pageInputs(), () => runUnits(log));
 
 /** Tests of the installed library; their inputs are its sources and the files that they read. */
 const installTests = (log) =>
@@ -143,10 +163,9 @@ async function webTests(log) {
   const rank = (file) => (long.indexOf(path.basename(file, '.test.mjs')) + 99) % 99;
   const files = testFiles('web').filter((file) => file !== alone);
   files.sort((a, b) => rank(a) - rank(b));
-  const both = await inLanes(files, (claims) => [
-    lane(log, claims, files),
-    lane(log, claims, files),
-  ]);
+  const inBoth = () =>
+    inLanes(files, (claims) => [lane(log, claims, files), lane(log, claims, files)]);
+  const both = await unlessUnchanged(log, 'web', pageInputs('build/page'), inBoth);
   return sum([both, await counted(log, '--test', alone)]);
 }
 
@@ -168,14 +187,10 @@ async function pythonTests(log) {
     contentOf('build/native-release/python/hgp'),
     treeContent((name) => inPython.test(name)),
   ];
-  const key = kept.key('python', ...inputs());
-  const found = kept.find(key);
-  if (found) return found;
-  const { code, output } = await run(log, python, '-m', 'pytest', '-q');
-  const pytest = countPytest(output, code);
-  const counts = sum([pytest, await nodeTests(log, 'python')]);
-  kept.keep(key, kept.key('python', ...inputs()), 'python', counts);
-  return counts;
+  return unlessUnchanged(log, 'python', inputs, async () => {
+    const { code, output } = await run(log, python, '-m', 'pytest', '-q');
+    return sum([countPytest(output, code), await nodeTests(log, 'python')]);
+  });
 }
 
 /** Introduced faults count as tests, which pass if the fault is caught. */

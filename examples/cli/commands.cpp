@@ -455,34 +455,11 @@ class Run {
     return isQuads ? writeQuads() : writeResult();
   }
 
-  /// Adds the quads themselves, and the materials that they name, to a GLB, whose faces are triangles.
-  Status addObj(std::vector<io::OutputFile>& files) {
-    const std::string name = objBeside(a_.output);
-    if (name.empty()) return Done{};
-    Result<api::QuadFile> quads = session_.quads(name, resolve_);
-    if (!quads) return quads.error();
-    const std::string inFolder = std::filesystem::path(name).filename().string();
-    std::vector<io::OutputFile> more{{inFolder, std::move(quads->bytes)}};
-    Arguments plain = a_;
-    plain.isCompressed = plain.isEmbedded = false;
-    Notes notes;  // those on the GLB hold for both
-    if (Status done = finishFiles(more, notes, resolve_, plain); !done) return done;
-    for (io::OutputFile& file : more)
-      if (std::none_of(files.begin(), files.end(),
-                       [&](const io::OutputFile& other) { return other.name == file.name; }))
-        files.push_back(std::move(file));
-    return Done{};
-  }
-
   int writeQuads() {
-    Result<api::QuadFile> quads = session_.quads(a_.output, resolve_);
-    if (!quads) return fail(quads.error());
-    std::vector<io::OutputFile> files{{a_.output, std::move(quads->bytes)}};
-    Status done = finishFiles(files, quads->notes, resolve_, a_);
-    if (done) done = addObj(files);
-    if (done) done = writeFiles(a_.output, files);
-    if (!done) return fail(done.error());
-    if (!a_.isQuiet) reportQuads(a_.output, *quads);
+    Result<QuadFiles> made = makeQuadFiles(session_, resolve_, a_);
+    if (!made) return fail(made.error());
+    if (Status done = writeFiles(a_.output, made->files); !done) return fail(done.error());
+    if (!a_.isQuiet) reportQuads(a_.output, made->quads);
     return 0;
   }
 

@@ -6,9 +6,46 @@
 #include <filesystem>
 
 #include "hgp/base/counted.h"
+#include "side_files.h"
 #include "text_report.h"
 
 namespace hgp::cli {
+namespace {
+
+/// Adds the quads themselves, and the materials that they name, to a GLB, whose faces are triangles.
+Status addObj(const api::Session& session, const io::Resolver& resolve, const Arguments& asked,
+              std::vector<io::OutputFile>& files) {
+  const std::string name = objBeside(asked.output);
+  if (name.empty()) return Done{};
+  Result<api::QuadFile> quads = session.quads(name, resolve);
+  if (!quads) return quads.error();
+  const std::string inFolder = std::filesystem::path(name).filename().string();
+  std::vector<io::OutputFile> more{{inFolder, std::move(quads->bytes)}};
+  Arguments plain = asked;
+  plain.isCompressed = plain.isEmbedded = false;
+  Notes notes;  // those on the GLB hold for both
+  if (Status done = finishFiles(more, notes, resolve, plain); !done) return done;
+  for (io::OutputFile& file : more)
+    if (std::none_of(files.begin(), files.end(),
+                     [&](const io::OutputFile& other) { return other.name == file.name; }))
+      files.push_back(std::move(file));
+  return Done{};
+}
+
+}  // namespace
+
+Result<QuadFiles> makeQuadFiles(const api::Session& session, const io::Resolver& resolve,
+                                const Arguments& asked) {
+  Result<api::QuadFile> quads = session.quads(asked.output, resolve);
+  if (!quads) return quads.error();
+  QuadFiles out;
+  out.files.push_back({asked.output, std::move(quads->bytes)});
+  out.quads = std::move(*quads);
+  Status done = finishFiles(out.files, out.quads.notes, resolve, asked);
+  if (done) done = addObj(session, resolve, asked, out.files);
+  if (!done) return done.error();
+  return out;
+}
 
 std::string objBeside(const std::string& output) {
   const std::filesystem::path path(output);

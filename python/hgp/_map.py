@@ -94,9 +94,21 @@ class Quads:
         #: quads across a seam of the input's texture coordinates, or across the border of a material
         self.across_seams: int = made["across_seams"]
 
-    def save(self, path: "Union[str, os.PathLike[str]]") -> None:
-        """Writes quads as .obj or .ply, or triangles as .glb, with the attributes of the input."""
-        self._core.save_quads(os.fspath(path))
+    def save(self, path: "Union[str, os.PathLike[str]]", *, overwrite: bool = False) -> List[str]:
+        """Writes the quads as .obj or .ply, or as triangles in a .glb with the quads beside it (x-quads.obj beside
+        x.glb), with the attributes, materials and pictures of the input. All files appear whole, or none.
+
+        Args:
+            path: its extension is the format.
+            overwrite: allow to replace the loaded file and other side files.
+
+        Returns:
+            Notes on what was written.
+
+        Raises:
+            WriteError: a file cannot be written.
+        """
+        return self._core.save_quads(os.fspath(path), {"overwrite": overwrite})
 
     def __repr__(self) -> str:
         return f"<hgp.Quads {len(self.vertices)} vertices, {len(self.quads)} quads>"

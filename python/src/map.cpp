@@ -4,6 +4,7 @@
 
 #include "../../examples/cli/also.h"
 #include "../../examples/cli/files.h"
+#include "../../examples/cli/quad_files.h"
 #include "failures.h"
 #include "hgp/api/file_maps.h"
 #include "hgp/base/phrase.h"
@@ -65,12 +66,21 @@ py::dict Map::quads() {
   return out;
 }
 
-void Map::saveQuads(const std::string& path) {
+std::vector<std::string> Map::saveQuads(const std::string& path, const py::dict& options) {
+  const Writing writing = toWriting(*source_, path, options);
+  const std::string beside = cli::objBeside(path);
+  if (!beside.empty() && cli::isSameFile(beside, source_->path))
+    raiseUsage(beside + ", which is written beside " + path +
+               ", is the file that was loaded; choose another name");
+  Notes notes;
   must(alone_.run([&]() -> Status {
-    Result<api::QuadFile> made = session_.quads(path);
+    Result<cli::QuadFiles> made =
+        cli::makeQuadFiles(session_, source_->files.resolve, writing.after);
     if (!made) return made.error();
-    return writeTogether(path, {{path, std::move(made->bytes)}});
+    notes = std::move(made->quads.notes);
+    return writeTogether(path, made->files);
   }));
+  return phrases(notes);
 }
 
 std::vector<std::string> Map::save(const std::string& path, const py::dict& options) {

@@ -35,7 +35,7 @@ class Map {
   py::dict measure();
   py::dict quads();
   /// A file of the cells as quads (.obj, .ply) or triangles (.glb).
-  void saveQuads(const std::string& path);
+  std::vector<std::string> saveQuads(const std::string& path, const py::dict& options);
   /// Writes the map, and returns notes. @param options  see Map.save in hgp/_map.py
   std::vector<std::string> save(const std::string& path, const py::dict& options);
   /// Writes maps of different meshes of one file into that file.

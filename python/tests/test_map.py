@@ -108,6 +108,8 @@ def test_quads_are_a_closed_mesh_of_quads_on_the_surface(pretzel: Any, tmp_path:
     quads.save(tmp_path / "quads.obj")
     lines = (tmp_path / "quads.obj").read_text().splitlines()
     assert sum(line.startswith("f ") for line in lines) == len(Q)
+    quads.save(tmp_path / "all.glb")
+    assert (tmp_path / "all-quads.obj").read_text() == (tmp_path / "quads.obj").read_text()
 
 
 def test_quads_need_no_density(pretzel: Any) -> None:

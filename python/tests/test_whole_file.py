@@ -166,3 +166,28 @@ def test_options_and_their_defaults_are_those_of_the_calls_for_one_mesh() -> Non
             assert (whole[name].default, whole[name].annotation) == (parameter.default, parameter.annotation), name
     for name, parameter in list(inspect.signature(hgp.combine).parameters.items())[2:]:
         assert whole[name] == parameter
+
+
+def test_quads_take_the_pictures_of_a_gltf_along(pretzel: Any, tmp_path: Any, hgp_program: Any) -> None:
+    path = scene(tmp_path / "painted.gltf", [pretzel])
+    whole = json.loads(path.read_text())
+    # Coordinates of a texture: x and y of the positions, which have a stride of twelve bytes.
+    whole["bufferViews"][0]["byteStride"] = 12
+    whole["accessors"].append({"bufferView": 0, "componentType": 5126, "type": "VEC2", "count": len(pretzel[0])})
+    primitive = whole["meshes"][0]["primitives"][0]
+    primitive["attributes"]["TEXCOORD_0"] = len(whole["accessors"]) - 1
+    primitive["material"] = 0
+    whole["materials"] = [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]
+    whole["textures"], whole["images"] = [{"source": 0}], [{"uri": "paint.png"}]
+    path.write_text(json.dumps(whole))
+    (tmp_path / "paint.png").write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
+    mapped = hgp.Mesh.load(path).parametrize(cells=1500, grid_mode="quad")
+    assert mapped.quads().save(tmp_path / "all.glb") == []
+    hgp_program("quads", path, "-o", tmp_path / "native.glb", "--cells", "1500")
+    assert (tmp_path / "all.glb").read_bytes() == (tmp_path / "native.glb").read_bytes()
+    assert (tmp_path / "paint.png").read_bytes() in (tmp_path / "all.glb").read_bytes()
+    assert (tmp_path / "all-quads.obj").read_bytes() == (tmp_path / "native-quads.obj").read_bytes()
+    with pytest.raises(hgp.UsageError, match="which is written beside"):
+        hgp.Mesh.load(tmp_path / "all-quads.obj").parametrize(cells=1500, grid_mode="quad").quads().save(
+            tmp_path / "all.glb"
+        )

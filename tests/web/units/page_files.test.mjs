@@ -327,6 +327,9 @@ test('components: budgets are told apart, and balanced ones are one line', { ski
   const component = doc.budget.components.findIndex(({ isBalanced }) => !isBalanced);
   assert.match(textOf($('.budget.open')), new RegExp(`^Component ${component + 1}:`));
   assert.match(textOf($('#panel-cones')), /1 of 2 components balanced/);
+  // One of them being balanced is no reason to leave the other as it is.
+  await click('#balance');
+  await until(() => doc.budget.components.every(({ isBalanced }) => isBalanced));
 });
 
 test('what is not used any more is freed; what undo can lead to is kept', { skip }, async (t) => {

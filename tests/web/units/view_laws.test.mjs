@@ -270,6 +270,20 @@ test('markers: four corners at the cone, the selected one larger, another pictur
   assert.equal(flat.visible, false);
 });
 
+test('markers: a triangle up for less than a full turn, down for more, a disk for a full one', () => {
+  const shapeFor = (k) => {
+    const before = drawn.length;
+    new ConeMarkers(true).show([{ at: [0, 0, 0], k, q: 64, isSelected: false, isBad: false }]);
+    const calls = drawn.slice(before).filter(([name]) => name === 'arc' || name === 'lineTo');
+    return [calls.map(([name]) => name).join(' '), calls[0][2]];
+  };
+  const triangle = 'lineTo lineTo lineTo';
+  const [[below, top], [above, bottom], [full]] = [53, 75, 64].map(shapeFor);
+  assert.deepEqual([below, above, full], [triangle, triangle, 'arc']);
+  // Canvases count downwards: the first corner is the tip.
+  assert.ok(top < 0 && bottom > 0);
+});
+
 test('quads: two triangles each, every edge once, folded ones pink, markers where not four edges meet', () => {
   // A box of six quads, one of them with a corner turned over.
   const p = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [i & 1, (i >> 1) & 1, i >> 2]);

@@ -11,11 +11,13 @@ import path from 'node:path';
 const sha256 = (content) => createHash('sha256').update(content).digest('hex');
 
 const known = new Map();
-/** A hash of the content of a file, or of a folder with everything in it. */
+/** A hash of the content of a file, or of a folder with everything in it but what Python compiles there. */
 export function contentOf(name) {
   const stat = statSync(name);
   if (stat.isDirectory()) {
-    const entries = readdirSync(name).sort();
+    const entries = readdirSync(name)
+      .filter((entry) => entry !== '__pycache__')
+      .sort();
     return sha256(
       entries.map((entry) => `${entry} ${contentOf(path.join(name, entry))}\n`).join(''),
     );

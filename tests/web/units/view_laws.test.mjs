@@ -27,6 +27,7 @@ const { drawWhenUploaded } = await import('../../../web/src/views/sliced_uploads
 const { ConeMarkers } = await import('../../../web/src/views/cone_markers.ts');
 const { flatGeometry, setTint, surfaceGeometry } =
   await import('../../../web/src/views/corner_geometry.ts');
+const { hiding } = await import('../../../web/src/views/hiding.ts');
 const { highlightTargets } = await import('../../../web/src/views/highlight_targets.ts');
 const { Lines, seamsInMap, seamsOnSurface, Wire } = await import('../../../web/src/views/lines.ts');
 const { gatheredFor } = await import('../../../web/src/views/gathered_attribute.ts');
@@ -697,6 +698,28 @@ test('a place that is looked at is in the middle and towards the viewer', () => 
     near(at.y, 0, 'middle', 1e-3);
     assert.ok(normal.dot(camera.position.clone().sub(point).normalize()) > 0.1, `vertex ${v}`);
   }
+});
+
+test('a place that is hidden is looked at from a side where it is seen, if there is one', () => {
+  const { camera, orbit } = orbitIn(800, 600);
+  orbit.frame(shape());
+  const [point, normal] = [new Vector3(0, 0, 0.5), new Vector3(0, 0, 1)];
+  const at = () => camera.position.clone().sub(orbit.controls.target).normalize();
+  orbit.lookAt(point, normal);
+  const plain = at();
+  // A wall before the place hides it from half of the sides.
+  const isWallBefore = (back) => back.dot(plain) > 0.9 * back.length();
+  orbit.lookAt(point, normal, isWallBefore);
+  assert.ok(!isWallBefore(at()) && at().dot(normal) > 0.3, at().toArray().join());
+  orbit.lookAt(point, normal, () => true);
+  assert.ok(Number.isFinite(at().x), 'hidden from everywhere');
+  // What hides: nearer than the camera, and not the triangles around the place itself.
+  const rays = [];
+  const hit = (distance) =>
+    hiding(point, (ray) => (rays.push(ray), distance))(new Vector3(0, 0, 4));
+  assert.deepEqual([hit(undefined), hit(5), hit(2)], [false, false, true]);
+  assert.ok(rays[0].origin.z > point.z && rays[0].origin.z < 1);
+  near(rays[0].direction.z, 1, 'towards the camera');
 });
 
 test('lines on the surface are between one and six pixels wide, what is outlined the widest', () => {

@@ -19,6 +19,19 @@ export interface Shape {
   places: ArrayLike<number>;
 }
 
+/** From where a point can be looked at, the nearest first: as vectors to the camera, as long as `back`, which is the present one. */
+function sidesOf(normal: Vector3, back: Vector3): Vector3[] {
+  if (normal.lengthSq() === 0) return [back];
+  const isAway = normal.dot(back) < 0.15 * back.length();
+  // Not straight from above, where the up direction is undefined.
+  const front = normal.clone().addScaledVector(startFrom, 0.35);
+  const across = new Vector3(normal.y, normal.z, normal.x).cross(normal).normalize();
+  const tilted = Array.from({ length: 8 }, (_, i) =>
+    front.clone().addScaledVector(across.clone().applyAxisAngle(normal, (i * Math.PI) / 4), 1),
+  );
+  return [...(isAway ? [] : [back]), front, ...tilted].map((side) => side.setLength(back.length()));
+}
+
 export class Orbit {
   readonly controls: OrbitControls;
   readonly #camera: PerspectiveCamera;
@@ -146,15 +159,20 @@ export class Orbit {
     return (0.003 * tangent(this.#camera.fov)) / tangent(usual);
   }
 
-  /** Centres a point, animated unless reduced motion is preferred; moves around the model if the point faces away. */
-  lookAt(point: Vector3, normal: Vector3): void {
+  /**
+   * Centres a point, animated unless reduced motion is preferred; moves around the model if the point faces away or is
+   * hidden, where it is not hidden from everywhere.
+   */
+  lookAt(
+    point: Vector3,
+    normal: Vector3,
+    isHidden: (back: Vector3) => boolean = () => false,
+  ): void {
     const { position } = this.#camera;
     const { target } = this.controls;
     const back = position.clone().sub(target);
-    const isAway = normal.lengthSq() > 0 && normal.dot(back) < 0.15 * back.length();
-    // Not straight from above, where the up direction is undefined.
-    const front = normal.clone().addScaledVector(startFrom, 0.35);
-    const wanted = isAway ? front.setLength(back.length()) : back;
+    const sides = sidesOf(normal, back);
+    const wanted = sides.find((side) => !isHidden(side)) ?? sides[0];
     const aim = point.clone().sub(target);
     const move = point.clone().add(wanted).sub(position);
     const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -24,6 +24,7 @@ import { ContactShadow } from './contact_shadow';
 import { ConeMarkers, type Marker } from './cone_markers';
 import { bvhAtOnce, bvhFrom, pickGeometry, setTint, surfaceGeometry } from './corner_geometry';
 import type { OwnInstance, OwnScene } from './gltf_scene';
+import { hiding } from './hiding';
 import { LiveGeometry } from './live_geometry';
 import {
   setImage,
@@ -334,12 +335,11 @@ export class ModelView extends CanvasView {
     return { x: ((at.x + 1) / 2) * clientWidth, y: ((1 - at.y) / 2) * clientHeight };
   }
 
-  /** Centres a vertex. */
+  /** Centres a vertex, from a side from which it is seen. */
   lookAt(vertex: number): void {
     if (!this.#surface) return;
-    const normal = new Vector3().fromArray(this.#surface.normals, 3 * vertex);
-    this.orbit.lookAt(this.point(vertex), normal);
-    this.draw();
+    const [normal, point] = [new Vector3().fromArray(this.#surface.normals, 3 * vertex), this.point(vertex)]; // prettier-ignore
+    this.orbit.lookAt(point, normal, hiding(point, (ray) => this.#onSurface(ray)?.distance)); // prettier-ignore
   }
 
   /** Centres the point under a pointer. */

@@ -713,6 +713,18 @@ test('a place that is hidden is looked at from a side where it is seen, if there
   assert.ok(!isWallBefore(at()) && at().dot(normal) > 0.3, at().toArray().join());
   orbit.lookAt(point, normal, () => true);
   assert.ok(Number.isFinite(at().x), 'hidden from everywhere');
+  // Eight sides around any normal, all in front of the place.
+  for (const up of [
+    [1, 1, 1],
+    [0, 1, 0],
+    [0, 0, 1],
+    [-1, 0, 0],
+  ]) {
+    const [sides, facing] = [new Set(), new Vector3(...up).normalize()];
+    const note = (back) => !sides.add(back.clone().normalize().toArray().map((x) => x.toFixed(3)).join()); // prettier-ignore
+    orbit.lookAt(point, facing, (back) => (assert.ok(back.dot(facing) > 0), note(back), true));
+    assert.ok(sides.size >= 9, `${up}: ${sides.size}`);
+  }
   // What hides: nearer than the camera, and not the triangles around the place itself.
   const rays = [];
   const hit = (distance) =>

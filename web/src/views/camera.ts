@@ -25,7 +25,8 @@ function sidesOf(normal: Vector3, back: Vector3): Vector3[] {
   const isAway = normal.dot(back) < 0.15 * back.length();
   // Not straight from above, where the up direction is undefined.
   const front = normal.clone().addScaledVector(startFrom, 0.35);
-  const across = new Vector3(normal.y, normal.z, normal.x).cross(normal).normalize();
+  const isUpright = Math.abs(normal.y) > 0.9 * normal.length();
+  const across = new Vector3(isUpright ? 1 : 0, isUpright ? 0 : 1, 0).cross(normal).normalize();
   const tilted = Array.from({ length: 8 }, (_, i) =>
     front.clone().addScaledVector(across.clone().applyAxisAngle(normal, (i * Math.PI) / 4), 1),
   );

@@ -48,7 +48,9 @@ console.log(`| ${head.join(' | ')} |\n|---|--:|--:|--:|--:|--:|---|--:|`);
 const ratios = [];
 for (const [name, file] of wanted.flatMap(meshesOf)) {
   const out = path.join(folder, 'out.obj');
-  const natives = Array.from({ length: runs }, () => runNative(native, file, out));
+  const natives = Array.from({ length: runs }, () =>
+    runNative(native, file, out, ['--threads', '1']),
+  );
   const packaged = runPackage(built, file, runs);
   const report = JSON.parse(readFileSync(natives[0].report, 'utf8'));
   const [n, w] = [Math.min(...natives.map((run) => run.seconds)), Math.min(...packaged.seconds)];

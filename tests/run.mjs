@@ -101,14 +101,12 @@ async function runChanged(log, files, lanes, inputs) {
 
 const program = 'build/native-release/bin/hgp';
 
-/** What tests of the page may read: everything but what only other stages read. */
+/** What tests of the page and of the site may read: everything but the tests of other stages. */
 const pageInputs =
   (...built) =>
   () => [
-    ...[program, 'build/package', ...built].map(contentOf),
-    treeContent(
-      (name) => !/^(bench|python|tests\/(core|cli|install|python|mutation))\//.test(name),
-    ),
+    ...[program, 'build/native-release/python/hgp', 'build/package', ...built].map(contentOf),
+    treeContent((name) => !/^tests\/(core|cli|install|python)\//.test(name)),
     listingOf(data),
   ];
 

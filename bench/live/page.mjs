@@ -8,6 +8,7 @@ import { parseArgs } from 'node:util';
 import { gunzipSync } from 'node:zlib';
 import { startChromium } from '../../web/chromium.mjs';
 import { serve } from '../../web/serve.mjs';
+import { randomFrom } from '../../tests/mutation/draw.mjs';
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
@@ -21,17 +22,6 @@ const { values, positionals } = parseArgs({
 const [drags, steps, wait, seed] = ['drags', 'steps', 'wait', 'seed'].map((key) =>
   Number(values[key]),
 );
-
-/** Numbers in [0, 1), the same in every run (mulberry32). */
-function randomFrom(start) {
-  let a = start;
-  return () => {
-    a = (a + 0x6d2b79f5) | 0;
-    let t = Math.imul(a ^ (a >>> 15), 1 | a);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 /** Notes what the page asks of its workers and what they answer, with times. */
 function watchWorkers() {

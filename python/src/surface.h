@@ -34,7 +34,8 @@ class Map {
   const api::Session& session() const { return session_; }
   py::dict measure();
   py::dict quads();
-  /// A file of the cells as quads (.obj, .ply) or triangles (.glb).
+  /// Writes the cells as quads (.obj, .ply) or triangles (.glb) with the quads beside them, and returns notes.
+  /// @param options  overwrite
   std::vector<std::string> saveQuads(const std::string& path, const py::dict& options);
   /// Writes the map, and returns notes. @param options  see Map.save in hgp/_map.py
   std::vector<std::string> save(const std::string& path, const py::dict& options);

@@ -6,14 +6,14 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 /**
- * Seconds of user and system time of `hgp param` with default options on one thread, the start of the process included,
- * and the printed report. A second thread adds the time in which it waits.
+ * Seconds of user and system time of `hgp param`, the start of the process included, and the printed report.
+ * @param options  further ones; by default all processors compute, and a second thread adds the time in which it waits
  */
-export function runNative(program, file, out) {
+export function runNative(program, file, out, options = []) {
   const report = `${out}.json`;
   // Without --norc bash reads ~/.bashrc where its input is a socket, as Node's is, and counts that, too.
   const script = `"$@" >/dev/null || [ $? = 6 ] || exit; times`;
-  const args = ['param', file, '-o', out, '--json', report, '--quiet', '--force', '--threads', '1'];
+  const args = ['param', file, '-o', out, '--json', report, '--quiet', '--force', ...options];
   const printed = execFileSync('bash', ['--norc', '-c', script, 'bash', program, ...args], {
     encoding: 'utf8',
     env: { ...process.env, LC_ALL: 'C' },

@@ -2,6 +2,7 @@
 
 export function database(later) {
   const all = new Map();
+  const versions = new Map();
   const ask = (find) => {
     const request = {};
     later(() => {
@@ -35,7 +36,8 @@ export function database(later) {
       }),
     };
   };
-  const handleOf = (stores) => ({
+  const handleOf = (stores, version) => ({
+    version,
     objectStoreNames: { contains: (name) => stores.has(name) },
     createObjectStore(name, { keyPath }) {
       stores.set(name, { keyPath, entries: new Map() });
@@ -46,17 +48,17 @@ export function database(later) {
   });
   return {
     all,
-    open(name) {
+    open(name, version = versions.get(name) ?? 1) {
       const request = {};
       later(() => {
-        const isNew = !all.has(name);
-        if (isNew) all.set(name, new Map());
-        request.result = handleOf(all.get(name));
+        const isNew = !all.has(name) || version > versions.get(name);
+        if (!all.has(name)) all.set(name, new Map());
+        versions.set(name, version);
+        request.result = handleOf(all.get(name), version);
         if (isNew) request.onupgradeneeded?.();
         request.onsuccess?.();
       });
       return request;
     },
-    deleteDatabase: (name) => ask(() => void all.delete(name)),
   };
 }

@@ -8,31 +8,34 @@ export interface Store {
   indices?: readonly string[];
 }
 
-/** Rejects where there is no storage; a database without the store is deleted, for the next time. */
-export function openStore(
-  { database, name, keyPath, indices = [] }: Store,
-  mode: IDBTransactionMode,
-): Promise<IDBObjectStore> {
-  return new Promise((resolve, reject) => {
-    const opening = indexedDB.open(database, 1);
+/** A connection to the database: as it is, or in its next version, where the store is added. */
+function connect({ database, name, keyPath, indices = [] }: Store, version?: number) {
+  return new Promise<IDBDatabase>((resolve, reject) => {
+    const opening = indexedDB.open(database, version);
     opening.onupgradeneeded = () => {
+      if (opening.result.objectStoreNames.contains(name)) return;
       const store = opening.result.createObjectStore(name, { keyPath });
       for (const key of indices) store.createIndex(key, key);
     };
     opening.onerror = () => reject(opening.error ?? new Error('no storage'));
     opening.onsuccess = () => {
-      const { result } = opening;
-      result.onversionchange = () => result.close();
-      if (!result.objectStoreNames.contains(name)) {
-        result.close();
-        indexedDB.deleteDatabase(database);
-        return reject(new Error('no such store'));
-      }
-      const transaction = result.transaction(name, mode);
-      transaction.oncomplete = transaction.onabort = () => result.close();
-      resolve(transaction.objectStore(name));
+      opening.result.onversionchange = () => opening.result.close();
+      resolve(opening.result);
     };
   });
+}
+
+/** Rejects where there is no storage; a database without the store gets it. */
+export async function openStore(store: Store, mode: IDBTransactionMode): Promise<IDBObjectStore> {
+  let database = await connect(store);
+  if (!database.objectStoreNames.contains(store.name)) {
+    database.close();
+    // Who opened it at the same time asks for the same version, and nothing that was stored is lost.
+    database = await connect(store, database.version + 1);
+  }
+  const transaction = database.transaction(store.name, mode);
+  transaction.oncomplete = transaction.onabort = () => database.close();
+  return transaction.objectStore(store.name);
 }
 
 export const answer = <T>(request: IDBRequest<T>): Promise<T> =>

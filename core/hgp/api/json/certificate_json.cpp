@@ -27,19 +27,19 @@ double allowed(const MeasuredSeam& seam) {
 }
 
 Json thresholds(const Certificate& c) {
-  return Json{{"seam", c.thresholds.tolerance},
-              {"angle", c.thresholds.tolerance},
-              {"rounding", c.thresholds.rounding},
-              {"largestRounding", c.thresholds.largestRounding},
-              {"areaSpan", c.thresholds.smallestAreaSpan}};
+  return object({{"seam", c.thresholds.tolerance},
+                 {"angle", c.thresholds.tolerance},
+                 {"rounding", c.thresholds.rounding},
+                 {"largestRounding", c.thresholds.largestRounding},
+                 {"areaSpan", c.thresholds.smallestAreaSpan}});
 }
 
 Json featureCounts(const FeatureFacts& f) {
-  return Json{{"edges", f.edges},
-              {"straightEdges", f.straightEdges},
-              {"chains", f.chains},
-              {"straightChains", f.straightChains},
-              {"corners", f.corners}};
+  return object({{"edges", f.edges},
+                 {"straightEdges", f.straightEdges},
+                 {"chains", f.chains},
+                 {"straightChains", f.straightChains},
+                 {"corners", f.corners}});
 }
 
 class ComponentJson {
@@ -49,7 +49,8 @@ class ComponentJson {
       : component_(component), c_(c), name_(std::move(name)) {}
 
   Json make() const {
-    Json json{{"certified", c_.isCertified}, {"usable", c_.isUsable}, {"measured", c_.isMeasured}};
+    Json json = object(
+        {{"certified", c_.isCertified}, {"usable", c_.isUsable}, {"measured", c_.isMeasured}});
     json["vertices"] = c_.vertexCount;
     json["edges"] = c_.edgeCount;
     json["triangles"] = c_.faceCount;
@@ -64,9 +65,9 @@ class ComponentJson {
     json["handles"] = handles();
     json["seams"] = seams();
     if (c_.features.edges > 0) json["features"] = features();
-    json["gaussBonnet"] = Json{{"have", c_.gaussBonnetHave}, {"need", c_.gaussBonnetNeed}};
+    json["gaussBonnet"] = object({{"have", c_.gaussBonnetHave}, {"need", c_.gaussBonnetNeed}});
     json["distortion"] = distortion();
-    json["overlap"] = Json{{"share", c_.overlap.share}, {"layers", c_.overlap.layers}};
+    json["overlap"] = object({{"share", c_.overlap.share}, {"layers", c_.overlap.layers}});
     json["thresholds"] = thresholds(c_);
     json["reasons"] = reasons();
     return json;
@@ -86,24 +87,24 @@ class ComponentJson {
     const OrientationFacts& o = c_.orientation;
     std::vector<int> faces;
     for (FaceId f : o.notPositive) faces.push_back(face(f));
-    return Json{{"positive", o.positive},
-                {"zero", o.zero},
-                {"negative", o.negative},
-                {"constrained", o.constrained},
-                {"constrainedPositive", o.constrainedPositive},
-                {"notPositive", listed(std::move(faces))}};
+    return object({{"positive", o.positive},
+                   {"zero", o.zero},
+                   {"negative", o.negative},
+                   {"constrained", o.constrained},
+                   {"constrainedPositive", o.constrainedPositive},
+                   {"notPositive", listed(std::move(faces))}});
   }
 
   Json angles() const {
     const AngleFacts& a = c_.angles;
     std::vector<int> overlapping;
     for (VertexId v : a.overlapping) overlapping.push_back(vertex(v));
-    return Json{{"wrong", a.wrong.size()},
-                {"worstDistance", a.worstDistance},
-                {"worstVertex", vertex(a.worstVertex)},
-                {"allowed", a.allowedThere},
-                {"smallestAngle", a.smallestAngle},
-                {"overlappingBoundaryVertices", listed(std::move(overlapping))}};
+    return object({{"wrong", a.wrong.size()},
+                   {"worstDistance", a.worstDistance},
+                   {"worstVertex", vertex(a.worstVertex)},
+                   {"allowed", a.allowedThere},
+                   {"smallestAngle", a.smallestAngle},
+                   {"overlappingBoundaryVertices", listed(std::move(overlapping))}});
   }
 
   Json cones(std::vector<MeasuredCone> list) const {
@@ -113,11 +114,11 @@ class ComponentJson {
     Json out = Json::array();
     for (const MeasuredCone& m : list) {
       if (out.size() >= kMaxListed) break;
-      out.push_back(Json{{"vertex", vertex(m.vertex)},
-                         {"asked", m.asked},
-                         {"measured", m.measured},
-                         {"distance", m.distance},
-                         {"allowed", m.allowed}});
+      out.push_back(object({{"vertex", vertex(m.vertex)},
+                            {"asked", m.asked},
+                            {"measured", m.measured},
+                            {"distance", m.distance},
+                            {"allowed", m.allowed}}));
     }
     return out;
   }
@@ -125,11 +126,11 @@ class ComponentJson {
   Json turnings() const {
     Json out = Json::array();
     for (const MeasuredTurning& t : c_.angles.turnings) {
-      out.push_back(Json{{"loop", component_.loop[t.loop].i},
-                         {"asked", optionalNumber(t.asked)},
-                         {"measured", t.measured},
-                         {"distance", t.distance},
-                         {"allowed", t.allowed}});
+      out.push_back(object({{"loop", component_.loop[t.loop].i},
+                            {"asked", optionalNumber(t.asked)},
+                            {"measured", t.measured},
+                            {"distance", t.distance},
+                            {"allowed", t.allowed}}));
     }
     return out;
   }
@@ -137,9 +138,9 @@ class ComponentJson {
   Json handles() const {
     Json out = Json::array();
     for (const MeasuredHandle& h : c_.seams.handles) {
-      out.push_back(Json{{"generator", component_.generatorOffset + h.index},
-                         {"asked", optionalNumber(h.asked)},
-                         {"measured", optionalNumber(h.measured)}});
+      out.push_back(object({{"generator", component_.generatorOffset + h.index},
+                            {"asked", optionalNumber(h.asked)},
+                            {"measured", optionalNumber(h.measured)}}));
     }
     return out;
   }
@@ -152,17 +153,17 @@ class ComponentJson {
       const HalfedgeId h = component_.mesh.halfedge(s.worst->edge);
       worst = {vertex(component_.mesh.tail(h)), vertex(component_.mesh.head(h))};
     }
-    return Json{{"edges", s.seams.size()},
-                {"broken", s.broken.size()},
-                {"exact", isExact ? Json(c_.exactSeams.exact) : Json()},
-                {"integer", isExact ? Json(c_.exactSeams.integer) : Json()},
-                {"charts", s.chartCount},
-                {"worstResidual", s.worst ? finite(s.worst->relativeResidual()) : 0},
-                {"allowed", s.worst ? allowed(*s.worst) : 0},
-                {"worstEdge", worst},
-                {"worstLengthResidual", s.worstLengthResidual},
-                {"largestUv", s.maxUv},
-                {"meanUvEdge", s.meanEdge}};
+    return object({{"edges", s.seams.size()},
+                   {"broken", s.broken.size()},
+                   {"exact", isExact ? Json(c_.exactSeams.exact) : Json()},
+                   {"integer", isExact ? Json(c_.exactSeams.integer) : Json()},
+                   {"charts", s.chartCount},
+                   {"worstResidual", s.worst ? finite(s.worst->relativeResidual()) : 0},
+                   {"allowed", s.worst ? allowed(*s.worst) : 0},
+                   {"worstEdge", std::move(worst)},
+                   {"worstLengthResidual", s.worstLengthResidual},
+                   {"largestUv", s.maxUv},
+                   {"meanUvEdge", s.meanEdge}});
   }
 
   Json features() const {
@@ -178,31 +179,31 @@ class ComponentJson {
 
   Json distortion() const {
     const DistortionFacts& d = c_.distortion;
-    return Json{{"meanMu", d.meanMu},
-                {"medianMu", d.medianMu},
-                {"p95Mu", d.p95Mu},
-                {"maxMu", d.maxMu},
-                {"worstMuTriangle", face(d.worstMu)},
-                {"rmsLogArea", d.rmsLogArea},
-                {"p95LogArea", d.p95LogArea},
-                {"minLogArea", d.minLogArea},
-                {"maxLogArea", d.maxLogArea},
-                {"sizeSpread", d.sizeSpread},
-                {"symmetricDirichlet", d.symmetricDirichlet},
-                {"areaSpan", d.areaSpan},
-                {"smallestToMeanArea", d.smallestToMeanArea},
-                {"smallestTriangle", face(d.smallestArea)}};
+    return object({{"meanMu", d.meanMu},
+                   {"medianMu", d.medianMu},
+                   {"p95Mu", d.p95Mu},
+                   {"maxMu", d.maxMu},
+                   {"worstMuTriangle", face(d.worstMu)},
+                   {"rmsLogArea", d.rmsLogArea},
+                   {"p95LogArea", d.p95LogArea},
+                   {"minLogArea", d.minLogArea},
+                   {"maxLogArea", d.maxLogArea},
+                   {"sizeSpread", d.sizeSpread},
+                   {"symmetricDirichlet", d.symmetricDirichlet},
+                   {"areaSpan", d.areaSpan},
+                   {"smallestToMeanArea", d.smallestToMeanArea},
+                   {"smallestTriangle", face(d.smallestArea)}});
   }
 
   Json reasons() const {
     Json out = Json::array();
     for (const Reason& own : c_.reasons) {
       const Reason reason = toSurfaceIds(component_, own);
-      out.push_back(Json{{"rule", ruleName(reason.rule)},
-                         {"count", reason.count},
-                         {"worst", finite(reason.worst)},
-                         {"message", name_ + reason.message},
-                         {"where", whereJson(reason.where)}});
+      out.push_back(object({{"rule", ruleName(reason.rule)},
+                            {"count", reason.count},
+                            {"worst", finite(reason.worst)},
+                            {"message", name_ + reason.message},
+                            {"where", whereJson(reason.where)}}));
     }
     return out;
   }
@@ -219,7 +220,7 @@ Json overlapOf(const std::vector<Certificate>& certificates) {
     most.share = std::max(most.share, c.overlap.share);
     most.layers = std::max(most.layers, c.overlap.layers);
   }
-  return Json{{"share", most.share}, {"layers", most.layers}};
+  return object({{"share", most.share}, {"layers", most.layers}});
 }
 
 /// The most important numbers, over all components.
@@ -267,8 +268,9 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   json["seamTolerance"] = worst ? allowed(*worst) : 0;
   json["overlap"] = overlapOf(certificates);
   const NeededTolerance needed = neededTolerance(certificates);
-  json["needed"] = Json{
-      {"seam", finite(needed.seam)}, {"angle", needed.angle}, {"sufficient", needed.isSufficient}};
+  json["needed"] = object({{"seam", finite(needed.seam)},
+                           {"angle", needed.angle},
+                           {"sufficient", needed.isSufficient}});
 }
 
 }  // namespace
@@ -276,7 +278,7 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
 SplicedDocument certificateDocument(const Model& model,
                                     const std::vector<Certificate>& certificates,
                                     const OutsideFacts& outside, int uvSet, const Notes& notes) {
-  Json json{{"format", "hgp-certificate"}, {"version", 1}};
+  Json json = object({{"format", "hgp-certificate"}, {"version", 1}});
   bool isUsable = !certificates.empty();
   for (const Certificate& c : certificates) isUsable = isUsable && c.isUsable;
   json["certified"] = areCertified(certificates);
@@ -285,15 +287,15 @@ SplicedDocument certificateDocument(const Model& model,
   json["precision"] = certificates.empty() ? "float64" : precisionName(certificates[0].precision);
   if (uvSet >= 0) json["uvSet"] = uvSet;
   addSummary(json, certificates);
-  json["stored"] = Json{{"triangles", outside.stored},
-                        {"verified", outside.verified},
-                        {"duplicates", outside.duplicates},
-                        {"differing", outside.differing},
-                        {"zeroArea", outside.zeroArea},
-                        {"reversed", outside.reversed},
-                        {"splitVertices", outside.splitVertices},
-                        {"polygons", outside.polygons.polygons},
-                        {"notConvex", outside.polygons.notConvex}};
+  json["stored"] = object({{"triangles", outside.stored},
+                           {"verified", outside.verified},
+                           {"duplicates", outside.duplicates},
+                           {"differing", outside.differing},
+                           {"zeroArea", outside.zeroArea},
+                           {"reversed", outside.reversed},
+                           {"splitVertices", outside.splitVertices},
+                           {"polygons", outside.polygons.polygons},
+                           {"notConvex", outside.polygons.notConvex}});
   constexpr const char* kHere = "(components)";
   json["components"] = kHere;
   if (!notes.empty()) json["notes"] = notesJson(notes);

@@ -17,14 +17,14 @@ Json surfacesJson(const Model& model) {
   const std::vector<io::Placements> places = model.document->placements();
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const io::Surface& s = surfaces[i];
-    out.push_back(Json{{"index", i},
-                       {"name", s.name},
-                       {"vertices", s.mesh.positions.size()},
-                       {"storedVertices", s.storedVertexCount},
-                       {"welded", s.isWelded},
-                       {"triangles", s.mesh.triangles.size()},
-                       {"uvSets", s.uvSets},
-                       {"notes", notesJson(s.notes)}});
+    out.push_back(object({{"index", i},
+                          {"name", s.name},
+                          {"vertices", s.mesh.positions.size()},
+                          {"storedVertices", s.storedVertexCount},
+                          {"welded", s.isWelded},
+                          {"triangles", s.mesh.triangles.size()},
+                          {"uvSets", s.uvSets},
+                          {"notes", notesJson(s.notes)}}));
     if (i < places.size()) {
       out.back()["uses"] = places[i].count;
       out.back()["mirrored"] = places[i].isMirrored;
@@ -49,10 +49,10 @@ Json defectsJson(const Model& model) {
       if (w.kind == Where::Kind::kFace && model.faceOrigin.has(face))
         w.id = model.faceOrigin[face].i;
     }
-    out.push_back(Json{{"kind", defectName(defect.kind)},
-                       {"fatal", isFatal(defect.kind, !model.unusable)},
-                       {"count", defect.where.size()},
-                       {"where", whereJson(where, kMaxPlaces)}});
+    out.push_back(object({{"kind", defectName(defect.kind)},
+                          {"fatal", isFatal(defect.kind, !model.unusable)},
+                          {"count", defect.where.size()},
+                          {"where", whereJson(where, kMaxPlaces)}}));
   }
   return out;
 }
@@ -69,11 +69,11 @@ Json loopsJson(const ModelComponent& component) {
       turning += curvature(component.mesh, geometry, component.mesh.tail(h));
     }
     const VertexId first = component.mesh.tail(halfedges.front());
-    out.push_back(Json{{"loop", component.loop[LoopId{static_cast<int>(j)}].i},
-                       {"vertices", halfedges.size()},
-                       {"anchor", component.vertex[first].i},
-                       {"length", length},
-                       {"turningAngle", turning}});
+    out.push_back(object({{"loop", component.loop[LoopId{static_cast<int>(j)}].i},
+                          {"vertices", halfedges.size()},
+                          {"anchor", component.vertex[first].i},
+                          {"length", length},
+                          {"turningAngle", turning}}));
   }
   return out;
 }
@@ -82,16 +82,16 @@ Json componentsJson(const Model& model) {
   Json out = Json::array();
   for (std::size_t p = 0; p < model.components.size(); ++p) {
     const ModelComponent& component = model.components[p];
-    out.push_back(
-        Json{{"component", p},
-             {"vertices", component.mesh.vertexCount() - component.topology.isolatedVertexCount},
-             {"edges", component.mesh.edgeCount()},
-             {"triangles", component.mesh.faceCount()},
-             {"eulerCharacteristic", component.topology.eulerCharacteristic},
-             {"genus", component.topology.genus},
-             {"handleGenerators",
-              Json{{"first", component.generatorOffset}, {"count", 2 * component.topology.genus}}},
-             {"boundaryLoops", loopsJson(component)}});
+    out.push_back(object(
+        {{"component", p},
+         {"vertices", component.mesh.vertexCount() - component.topology.isolatedVertexCount},
+         {"edges", component.mesh.edgeCount()},
+         {"triangles", component.mesh.faceCount()},
+         {"eulerCharacteristic", component.topology.eulerCharacteristic},
+         {"genus", component.topology.genus},
+         {"handleGenerators",
+          object({{"first", component.generatorOffset}, {"count", 2 * component.topology.genus}})},
+         {"boundaryLoops", loopsJson(component)}}));
   }
   return out;
 }
@@ -105,39 +105,39 @@ Json featuresJson(const Model& model) {
     for (const BoundaryLoop& loop : component.topology.loops)
       rims += static_cast<int>(loop.halfedges.size());
   }
-  return Json{{"degrees", kCreaseDegrees},
-              {"creaseEdges", creases},
-              {"creaseChains", chains},
-              {"rimEdges", rims}};
+  return object({{"degrees", kCreaseDegrees},
+                 {"creaseEdges", creases},
+                 {"creaseChains", chains},
+                 {"rimEdges", rims}});
 }
 
 Json mirrorsJson(const Model& model) {
   Json out = Json::array();
   for (const ModelMirror& mirror : findMirrors(model))
-    out.push_back(Json{{"name", mirror.plane.name},
-                       {"normal", mirror.plane.normal},
-                       {"offset", mirror.plane.offset},
-                       {"edgesIn", mirror.inPlane},
-                       {"edgesAcross", mirror.across},
-                       {"distance", mirror.distance}});
+    out.push_back(object({{"name", mirror.plane.name},
+                          {"normal", mirror.plane.normal},
+                          {"offset", mirror.plane.offset},
+                          {"edgesIn", mirror.inPlane},
+                          {"edgesAcross", mirror.across},
+                          {"distance", mirror.distance}}));
   return out;
 }
 
 Json budgetJson(const ComponentCheck& check) {
   if (!check.budget) return Json();
   const BudgetReport& b = *check.budget;
-  return Json{
-      {"have", b.have}, {"need", b.need}, {"left", b.need - b.have}, {"openLoops", b.openLoops}};
+  return object(
+      {{"have", b.have}, {"need", b.need}, {"left", b.need - b.have}, {"openLoops", b.openLoops}});
 }
 
 }  // namespace
 
 std::string inspectText(const Model& model) {
-  Json json{{"format", "hgp-inspect"}, {"version", 1}, {"usable", !model.unusable}};
-  json["file"] = Json{{"name", model.fileName},
-                      {"format", model.document->format()},
-                      {"bytes", model.byteCount},
-                      {"sha256", model.sha256}};
+  Json json = object({{"format", "hgp-inspect"}, {"version", 1}, {"usable", !model.unusable}});
+  json["file"] = object({{"name", model.fileName},
+                         {"format", model.document->format()},
+                         {"bytes", model.byteCount},
+                         {"sha256", model.sha256}});
   json["surfaces"] = surfacesJson(model);
   json["surface"] = model.surface;
   json["vertices"] = model.mesh.positions.size();
@@ -167,38 +167,38 @@ std::string checkText(const Model& model, const Request& request,
     const ModelComponent& component = model.components[p];
     const HolonomySpec& spec = request.components[p].spec;
     isValid = isValid && !checks[p].refusal;
-    Json entry{{"component", p},
-               {"valid", !checks[p].refusal},
-               {"automatic", checks[p].isAutomatic},
-               {"genus", component.topology.genus},
-               {"boundaryLoops", component.loop.size()},
-               {"cones", spec.cones.size()},
-               {"budget", budgetJson(checks[p])}};
+    Json entry = object({{"component", p},
+                         {"valid", !checks[p].refusal},
+                         {"automatic", checks[p].isAutomatic},
+                         {"genus", component.topology.genus},
+                         {"boundaryLoops", component.loop.size()},
+                         {"cones", spec.cones.size()},
+                         {"budget", budgetJson(checks[p])}});
     entry["warnings"] =
         checks[p].budget ? notesJson(checks[p].budget->warnings, component) : Json::array();
     if (checks[p].refusal) entry["error"] = failureJson(*checks[p].refusal);
     components.push_back(std::move(entry));
   }
-  Json json{{"format", "hgp-check"},
-            {"version", 1},
-            {"valid", isValid},
-            {"q", request.q},
-            {"components", std::move(components)},
-            {"notes", notesJson(request.notes)}};
+  Json json = object({{"format", "hgp-check"},
+                      {"version", 1},
+                      {"valid", isValid},
+                      {"q", request.q},
+                      {"components", std::move(components)},
+                      {"notes", notesJson(request.notes)}});
   return textOf(json);
 }
 
 std::string checkText(const Failure& refusal) {
-  return textOf(Json{{"format", "hgp-check"},
-                     {"version", 1},
-                     {"valid", false},
-                     {"components", Json::array()},
-                     {"notes", Json::array()},
-                     {"error", failureJson(refusal)}});
+  return textOf(object({{"format", "hgp-check"},
+                        {"version", 1},
+                        {"valid", false},
+                        {"components", Json::array()},
+                        {"notes", Json::array()},
+                        {"error", failureJson(refusal)}}));
 }
 
 std::string errorJson(const Failure& failure) {
-  Json json{{"format", "hgp-error"}, {"version", 1}};
+  Json json = object({{"format", "hgp-error"}, {"version", 1}});
   json.update(failureJson(failure));
   return textOf(json);
 }

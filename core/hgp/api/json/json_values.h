@@ -1,8 +1,12 @@
 // The small values that all JSON documents contain.  Role: private to the sources of api.
 #pragma once
 
+#include <concepts>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "hgp/api/model/model.h"
@@ -12,12 +16,35 @@ namespace hgp::api {
 
 using Json = nlohmann::ordered_json;
 
+/// A member of an object, while its expression is evaluated. Json's own lists make each member an array of two values
+/// first, which is most of the code of a document in WebAssembly.
+class Member {
+ public:
+  template <std::integral Integer>
+  Member(const char* name, Integer value) : name_(name), value_(static_cast<long long>(value)) {}
+  Member(const char* name, bool value) : name_(name), value_(value) {}
+  Member(const char* name, double value) : name_(name), value_(value) {}
+  Member(const char* name, const char* value) : name_(name), value_(value) {}
+  Member(const char* name, const std::string& value) : name_(name), value_(&value) {}
+  Member(const char* name, std::nullptr_t) : name_(name) {}
+  Member(const char* name, Json&& value) : name_(name), value_(&value) {}
+
+  void addTo(Json& object) const;
+
+ private:
+  const char* name_;
+  std::variant<std::monostate, bool, long long, double, const char*, const std::string*, Json*>
+      value_;
+};
+
+Json object(std::initializer_list<Member> members);
+
 /// [{"kind": "edge", "id": 3, "other": 9}, …]
 inline Json whereJson(const std::vector<Where>& where, std::size_t most = 1000) {
   Json out = Json::array();
   for (const Where& w : where) {
     if (out.size() >= most) break;
-    Json entry{{"kind", kindName(w.kind)}, {"id", w.id}};
+    Json entry = object({{"kind", kindName(w.kind)}, {"id", w.id}});
     if (w.kind == Where::Kind::kEdge) entry["other"] = w.other;
     out.push_back(std::move(entry));
   }
@@ -35,10 +62,10 @@ inline Json noteJson(const Note& note) {
     else
       numbers[v.name] = std::get<double>(v.value);
   }
-  return Json{{"code", note.code},
-              {"numbers", std::move(numbers)},
-              {"words", std::move(words)},
-              {"where", whereJson(note.where)}};
+  return object({{"code", note.code},
+                 {"numbers", std::move(numbers)},
+                 {"words", std::move(words)},
+                 {"where", whereJson(note.where)}});
 }
 
 inline Json notesJson(const Notes& notes) {
@@ -54,10 +81,10 @@ inline Json notesJson(Notes notes, const ModelComponent& component) {
 }
 
 inline Json failureJson(const Failure& failure) {
-  Json json{{"code", errorName(failure.code)},
-            {"stage", failure.stage},
-            {"message", failure.message},
-            {"where", whereJson(failure.where)}};
+  Json json = object({{"code", errorName(failure.code)},
+                      {"stage", failure.stage},
+                      {"message", failure.message},
+                      {"where", whereJson(failure.where)}});
   if (!failure.advice.empty()) json["advice"] = notesJson(failure.advice);
   return json;
 }

@@ -10,18 +10,18 @@ namespace hgp::api {
 namespace {
 
 Json optionsJson(const SolveOptions& o, bool isAutomatic) {
-  Json json{{"rounds", o.maxRounds}, {"improve", nullptr}, {"refine", o.refines}};
+  Json json = object({{"rounds", o.maxRounds}, {"improve", nullptr}, {"refine", o.refines}});
   if (o.convexPolygons) json["convexPolygons"] = true;
   if (o.improve)
     json["improve"] =
-        Json{{"word", improveWord(o.improve->balance)}, {"balance", o.improve->balance}};
+        object({{"word", improveWord(o.improve->balance)}, {"balance", o.improve->balance}});
   json["method"] = methodName(o.method);
   json["boundary"] = boundaryName(o.boundary);
   json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
   json["frames"] = o.frames == FrameSource::kFile ? "file" : "auto";
-  json["grid"] = Json{{"cells", o.grid.cells},
-                      {"spacing", o.grid.spacing},
-                      {"mode", o.grid.mode == GridMode::kQuad ? "quad" : "tile"}};
+  json["grid"] = object({{"cells", o.grid.cells},
+                         {"spacing", o.grid.spacing},
+                         {"mode", o.grid.mode == GridMode::kQuad ? "quad" : "tile"}});
   if (o.symmetry != Symmetry::kNone) json["symmetric"] = symmetryWord(o.symmetry);
   json["automaticCones"] = isAutomatic;
   if (isAutomatic) {
@@ -34,14 +34,14 @@ Json optionsJson(const SolveOptions& o, bool isAutomatic) {
 }
 
 Json roundJson(const Round& r) {
-  return Json{{"method", r.method},
-              {"constrainedTriangles", r.constrainedTriangles},
-              {"iterations", r.iterations},
-              {"solverStatus", r.solverStatus},
-              {"flipped", r.flipped},
-              {"wrongAngles", r.wrongAngles},
-              {"laplacianEnergy", r.laplacianEnergy},
-              {"seconds", r.seconds}};
+  return object({{"method", r.method},
+                 {"constrainedTriangles", r.constrainedTriangles},
+                 {"iterations", r.iterations},
+                 {"solverStatus", r.solverStatus},
+                 {"flipped", r.flipped},
+                 {"wrongAngles", r.wrongAngles},
+                 {"laplacianEnergy", r.laplacianEnergy},
+                 {"seconds", r.seconds}});
 }
 
 /// The reason, with the cones that are too close to each other as its places, and what would work.
@@ -66,36 +66,40 @@ Json gridJson(const ModelComponent& component, const std::optional<GridReport>& 
   toSurfaceIds(component, cones);
   Json closest = Json::array();
   for (std::size_t n = 0; n < cones.size(); ++n)
-    closest.push_back(
-        Json{{"vertices", {cones[n].id, cones[n].other}}, {"cells", grid->closest[n].cells}});
+    closest.push_back(object({{"vertices", Json::array({cones[n].id, cones[n].other})},
+                              {"cells", grid->closest[n].cells}}));
   Json attempts = Json::array();
   for (const GridAttempt& a : grid->attempts)
     attempts.push_back(
-        Json{{"method", a.method}, {"density", a.factor}, {"turnedTriangles", a.turned}});
-  return Json{{"aligned", grid->isAligned},         {"cells", grid->cells},
-              {"spacing", grid->spacing},           {"cellsPerCone", grid->cellsPerCone},
-              {"integers", grid->integers},         {"attempts", std::move(attempts)},
-              {"reason", gridReason(*grid, cones)}, {"closestCones", std::move(closest)},
-              {"workingCells", grid->workingCells}};
+        object({{"method", a.method}, {"density", a.factor}, {"turnedTriangles", a.turned}}));
+  return object({{"aligned", grid->isAligned},
+                 {"cells", grid->cells},
+                 {"spacing", grid->spacing},
+                 {"cellsPerCone", grid->cellsPerCone},
+                 {"integers", grid->integers},
+                 {"attempts", std::move(attempts)},
+                 {"reason", gridReason(*grid, cones)},
+                 {"closestCones", std::move(closest)},
+                 {"workingCells", grid->workingCells}});
 }
 
 /// The verifier's measurements that an improvement changes.
 Json distortionJson(const DistortionFacts& d) {
-  return Json{{"meanMu", d.meanMu},
-              {"p95Mu", d.p95Mu},
-              {"rmsLogArea", d.rmsLogArea},
-              {"symmetricDirichlet", d.symmetricDirichlet}};
+  return object({{"meanMu", d.meanMu},
+                 {"p95Mu", d.p95Mu},
+                 {"rmsLogArea", d.rmsLogArea},
+                 {"symmetricDirichlet", d.symmetricDirichlet}});
 }
 
 Json descentJson(const DescentFacts& facts) {
   Json steps = Json::array();
   for (const ImproveStep& step : facts.steps)
-    steps.push_back(Json{{"excess", step.excess}, {"length", step.length}});
-  return Json{{"kept", facts.isKept},
-              {"outcome", outcomeName(facts.outcome)},
-              {"steps", std::move(steps)},
-              {"before", distortionJson(facts.before)},
-              {"after", distortionJson(facts.after)}};
+    steps.push_back(object({{"excess", step.excess}, {"length", step.length}}));
+  return object({{"kept", facts.isKept},
+                 {"outcome", outcomeName(facts.outcome)},
+                 {"steps", std::move(steps)},
+                 {"before", distortionJson(facts.before)},
+                 {"after", distortionJson(facts.after)}});
 }
 
 Json improvementJson(const ImprovementFacts& facts) {
@@ -132,24 +136,24 @@ Json componentJson(const ModelComponent& component, const Parametrization& run,
   Json rounds = Json::array(), times = Json::array();
   for (const Round& r : run.rounds) rounds.push_back(roundJson(r));
   for (const StageTime& t : run.times) {
-    times.push_back(Json{{"stage", stageName(t.stage)}, {"seconds", t.seconds}});
+    times.push_back(object({{"stage", stageName(t.stage)}, {"seconds", t.seconds}}));
   }
   std::vector<Where> strained;
   for (FaceId f : run.strained) strained.push_back({Where::Kind::kFace, f.i});
   toSurfaceIds(component, strained);
-  Json json{{"certifiedBeforeStoring", run.isCertified},
-            {"usable", run.isUsable},
-            {"harmonic", Json{{"weights", weightsName(harmonic.weights)},
-                              {"rows", harmonic.rows},
-                              {"violated", harmonic.violated},
-                              {"largestResidual", harmonic.largestResidual}}},
-            {"cones", run.spec.cones.size()},
-            {"rounds", std::move(rounds)},
-            {"times", std::move(times)},
-            {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
-            {"conflict", whereJson(strained)},
-            {"grid", gridJson(component, run.grid)},
-            {"notes", notesJson(run.notes, component)}};
+  Json json = object({{"certifiedBeforeStoring", run.isCertified},
+                      {"usable", run.isUsable},
+                      {"harmonic", object({{"weights", weightsName(harmonic.weights)},
+                                           {"rows", harmonic.rows},
+                                           {"violated", harmonic.violated},
+                                           {"largestResidual", harmonic.largestResidual}})},
+                      {"cones", run.spec.cones.size()},
+                      {"rounds", std::move(rounds)},
+                      {"times", std::move(times)},
+                      {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
+                      {"conflict", whereJson(strained)},
+                      {"grid", gridJson(component, run.grid)},
+                      {"notes", notesJson(run.notes, component)}});
   addTheorem(json, harmonic, certificate);
   return json;
 }
@@ -157,15 +161,15 @@ Json componentJson(const ModelComponent& component, const Parametrization& run,
 Json refinedJson(const RefinedFacts& facts, const Model& model) {
   Json where = Json::array();
   for (const RefinedFacts::Place& place : facts.places)
-    where.push_back(Json{{"reason", place.reason},
-                         {"component", place.component},
-                         {"count", place.edges.size()},
-                         {"edges", whereJson(place.edges)}});
-  return Json{{"edges", facts.edges},
-              {"vertices", model.source().mesh.positions.size()},
-              {"triangles", model.source().mesh.triangles.size()},
-              {"roundsBefore", facts.roundsBefore},
-              {"where", std::move(where)}};
+    where.push_back(object({{"reason", place.reason},
+                            {"component", place.component},
+                            {"count", place.edges.size()},
+                            {"edges", whereJson(place.edges)}}));
+  return object({{"edges", facts.edges},
+                 {"vertices", model.source().mesh.positions.size()},
+                 {"triangles", model.source().mesh.triangles.size()},
+                 {"roundsBefore", facts.roundsBefore},
+                 {"where", std::move(where)}});
 }
 
 constexpr const char* kComponentsHere = "(components)";
@@ -177,25 +181,26 @@ constexpr const char* kCertificateHere = "(certificate)";
 std::string reportText(const Model& model, const RunRecord& run,
                        const std::vector<Certificate>& certificates, const OutsideFacts& outside,
                        const std::string& cones) {
-  Json json{{"format", "hgp-report"}, {"version", 1}};
-  json["program"] = Json{{"name", "hgp"}, {"version", version()}};
+  Json json = object({{"format", "hgp-report"}, {"version", 1}});
+  json["program"] = object({{"name", "hgp"}, {"version", version()}});
   json["certified"] = areCertified(certificates);
-  json["input"] = Json{{"name", model.fileName},
-                       {"format", model.document->format()},
-                       {"bytes", model.byteCount},
-                       {"sha256", model.sha256},
-                       {"surface", model.surface},
-                       {"vertices", model.source().mesh.positions.size()},
-                       {"triangles", model.source().mesh.triangles.size()}};
+  json["input"] = object({{"name", model.fileName},
+                          {"format", model.document->format()},
+                          {"bytes", model.byteCount},
+                          {"sha256", model.sha256},
+                          {"surface", model.surface},
+                          {"vertices", model.source().mesh.positions.size()},
+                          {"triangles", model.source().mesh.triangles.size()}});
   if (run.refined) {
     json["input"]["vertices"] = run.refined->verticesBefore;
     json["input"]["triangles"] = run.refined->trianglesBefore;
   }
   if (model.written) json["input"]["vertices"] = model.written->verticesBefore;
   json["refined"] = run.refined ? refinedJson(*run.refined, model) : Json();
-  json["repairsWritten"] = model.written ? Json{{"facesTurned", model.written->facesTurned},
-                                                {"verticesCopied", model.written->verticesCopied}}
-                                         : Json();
+  json["repairsWritten"] = model.written
+                               ? object({{"facesTurned", model.written->facesTurned},
+                                         {"verticesCopied", model.written->verticesCopied}})
+                               : Json();
   json["options"] = optionsJson(run.options, run.isAutomatic);
   json["seconds"] = run.seconds;
   Notes notes = model.source().notes;

@@ -253,6 +253,55 @@ test('components are mirrored each at its own line', () => {
   }
 });
 
+/** The shape beside its image, each of them off the plane and no image of itself, with vertices in another order. */
+function besideImage({ vertices, triangles }) {
+  const count = vertices.length;
+  const places = vertices.map(([x, y, z]) => [x + 0.1 * y + 20, y + 0.1 * z, z + 0.2 * x].map(Math.fround)); // prettier-ignore
+  const images = places.map(([x, y, z]) => [-x, y, z]).reverse();
+  const turned = triangles.map((t) => t.map((v) => 2 * count - 1 - v).reverse());
+  return { vertices: [...places, ...images], triangles: [...triangles, ...turned.reverse()] };
+}
+
+/** Numbers c and d with c − u and v + d at the image of every corner, the same for all of a pair. */
+function checkPair(corners, what) {
+  const uvOf = new Map();
+  const keyOf = (places) => places.map(placeOf).join(' | ');
+  for (const t of corners)
+    t.forEach(([p, uv], k) => uvOf.set(keyOf([p, t[(k + 1) % 3][0], t[(k + 2) % 3][0]]), uv));
+  const seen = new Set();
+  for (const t of corners)
+    t.forEach(([p, [u, v]], k) => {
+      if (p[0] < 0) return;
+      const image = uvOf.get(keyOf([p, t[(k + 2) % 3][0], t[(k + 1) % 3][0]].map(mirrored)));
+      assert.ok(image, 'an image');
+      seen.add(`${image[0] + u} ${image[1] - v}`);
+    });
+  assert.equal(seen.size, 1, `${what}: ${[...seen]}`);
+}
+
+test('components that are images of each other are so in the stored bits, with a grid and without', () => {
+  for (const name of ['torus', 'open hill']) {
+    put('in.obj', toObj(besideImage(shapes[name])));
+    for (const more of [[], ['--scale', 'fit'], ['--cells', '600'], ['--creases', '60']])
+      for (const out of ['out.obj', 'out.glb']) {
+        good('param', 'in.obj', '--symmetric', 'X', more, '-o', out, '--force', '--json', 'r.json');
+        checkPair(readers[out.slice(4)](at(out)), [name, ...more, out]);
+        const { certificate, notes } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+        assert.ok(certificate.certified);
+        assert.equal(notes.find(({ code }) => code === 'symmetric').numbers.pairs, 1);
+      }
+    good('quads', 'in.obj', '--symmetric', 'X', '-o', 'quads.obj', '--force');
+  }
+});
+
+test('a turning that the image of a component does not have is refused', () => {
+  put('in.obj', toObj(besideImage(shapes['open hill'])));
+  good('param', 'in.obj', '--symmetric', 'X', '--turning', '0:4', '-o', 'out.obj', '--force');
+  good('param', 'in.obj', '--symmetric', 'X', '--turning', '1:4', '-o', 'out.obj', '--force');
+  const { code } = run('param', 'in.obj', '--symmetric', 'X', '--turning', '0:4', '--turning', '1:3', '-o', 'out.obj', '--force'); // prettier-ignore
+  assert.equal(code, 5);
+});
+
 test('planes are those of the triangles: other vertices do not move them', () => {
   const { vertices, triangles } = shapes.ellipsoid;
   put('in.obj', toObj({ vertices: [...vertices, [9, 0, 0]], triangles }));

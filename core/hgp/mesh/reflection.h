@@ -51,10 +51,11 @@ inline constexpr std::size_t kMaxStarts = 16;
 ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const MirrorPlane& plane,
                                 double tolerance);
 
-/// A surface's reflection onto itself.
+/// A surface's reflection onto itself, or that of another component onto it.
 struct Mirror {
   MirrorPlane plane;
-  Reflection own;
+  Reflection image;
+  int of = -1;  ///< the component whose image this one is; −1: itself
 };
 
 /// Whether the reflection exchanges two sides of a connected surface: it is its own inverse, and without what it leaves in place

@@ -1,7 +1,9 @@
 // Symmetric maps of whole models: several components, planes that no edge lies in, and the choice of the plane.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "hgp/api/session.h"
 #include "support/shapes.h"
@@ -85,16 +87,83 @@ TEST(Symmetric, FeaturesWhoseEdgesMustBeSplitHaveAMap) {
   EXPECT_FALSE(noteOf(session, "features-split").is_null());
 }
 
-TEST(Symmetric, APlaneThatExchangesComponentsIsNotTaken) {
-  const test::Shape shape = test::icosphere(2);
-  Session session = sessionOf(
-      {placed(shape, {2, 0, 0}, {0.6, 1, 0.7}), placed(shape, {-2, 0, 0}, {0.6, 1, 0.7})});
-  const Status across = solve(session, Symmetry::kX);
-  ASSERT_FALSE(across);
-  EXPECT_EQ(across.error().code, ErrorCode::kUnsupported);
-  EXPECT_EQ(planesOf(session), (std::vector<std::string>{"Y", "Z"}));
+/// Two balls that are images of each other across X and no images of themselves.
+struct Pair {
+  MeshData first = placed(test::jittered(test::icosphere(2), 0.1), {2, 0, 0}, {0.6, 1, 0.7});
+  MeshData second = first;
+
+  Pair() {
+    for (Vec3& p : second.positions) p[0] = -p[0];
+    std::reverse(second.positions.begin(), second.positions.end());
+    const int last = static_cast<int>(second.positions.size()) - 1;
+    for (auto& [a, b, c] : second.triangles) {
+      a = last - a;
+      b = last - std::exchange(c, last - b);
+    }
+    std::rotate(second.triangles.begin(), second.triangles.begin() + 7, second.triangles.end());
+  }
+  int image(int v) const { return 2 * static_cast<int>(second.positions.size()) - 1 - v; }
+};
+
+Status solveWith(Session& session, const std::vector<std::pair<int, int>>& cones) {
+  prescription::Prescription asked;
+  asked.q = 4;
+  asked.hasCones = true;
+  for (const auto& [v, k] : cones) asked.cones.push_back({v, k, {}});
+  SolveOptions options;
+  options.symmetry = Symmetry::kX;
+  return session.parametrize(asked, options);
+}
+
+TEST(Symmetric, ComponentsThatAreImagesOfEachOtherHaveImagesOfOneMap) {
+  const Pair pair;
+  Session session = sessionOf({pair.first, pair.second});
+  EXPECT_EQ(planesOf(session), std::vector<std::string>{"X"});
   ASSERT_TRUE(solve(session, Symmetry::kAuto));
   EXPECT_TRUE(session.isCertified());
+  EXPECT_EQ(noteOf(session, "symmetric")["numbers"]["pairs"], 1);
+}
+
+TEST(Symmetric, ConesOfOneOfAPairAreThoseOfBoth) {
+  const Pair pair;
+  std::vector<std::pair<int, int>> first, second, both, others;
+  for (const int v : {0, 3, 11, 17, 20, 26, 32, 40}) {
+    first.emplace_back(v, 3);
+    second.emplace_back(pair.image(v), 3);
+  }
+  for (const auto* list : {&first, &second}) both.insert(both.end(), list->begin(), list->end());
+  for (const auto* cones : {&first, &second, &both}) {
+    Session session = sessionOf({pair.first, pair.second});
+    ASSERT_TRUE(solveWith(session, *cones));
+    EXPECT_TRUE(session.isCertified());
+    const Json report = Json::parse(session.reportJson());
+    std::vector<std::pair<int, int>> found;
+    for (const Json& cone : report["cones"]["cones"])
+      found.emplace_back(cone["vertex"].get<int>(), cone["k"].get<int>());
+    std::sort(found.begin(), found.end());
+    std::sort(both.begin(), both.end());
+    EXPECT_EQ(found, both);
+  }
+  others = both;
+  for (auto& cone : others)
+    if (cone.first == 3) cone.first = 4;
+  Session session = sessionOf({pair.first, pair.second});
+  const Status done = solveWith(session, others);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kUsage);
+  std::vector<std::int64_t> places;
+  for (const Where& w : done.error().where) places.push_back(w.id);
+  EXPECT_EQ(places, (std::vector<std::int64_t>{pair.image(4), pair.image(3)}));
+}
+
+TEST(Symmetric, AComponentWithoutAnImageIsNamed) {
+  const Pair pair;
+  Session session = sessionOf(
+      {pair.first, pair.second, placed(test::jittered(test::icosphere(2), 0.1), {0, 5, 0})});
+  const Status done = solve(session, Symmetry::kX);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kUnsupported);
+  EXPECT_NE(done.error().message.find("component 2"), std::string::npos);
 }
 
 TEST(Symmetric, ATinyComponentMustBeSymmetricItself) {

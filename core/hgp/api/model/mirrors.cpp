@@ -8,8 +8,8 @@
 namespace hgp::api {
 namespace {
 
-/// The image of a component is looked for among at most so many.
-constexpr std::size_t kPaired = 1000;
+/// The image of a component is looked for among at most so many with as many triangles at its mirrored place.
+constexpr int kMaxImages = 16;
 /// A component may be off by this fraction of the whole's diagonal, which positions in single precision are.
 constexpr double kRounding = 3e-7;
 
@@ -35,18 +35,19 @@ class Finder {
   }
 
   ModelMirror run() {
+    out_.mirrors.resize(tolerance_.size());
     for (std::size_t p = 0; p < tolerance_.size(); ++p) {
+      if (out_.mirrors[p]) continue;
       const TriMesh& mesh = model_.components[p].mesh;
       ReflectionSearch search = findIn(p, p);
-      if (!search.reflection || !hasTwoSides(mesh, *search.reflection)) {
-        out_.missing = {static_cast<int>(p), search.matched, search.without, imageOf(p)};
+      if (search.reflection && hasTwoSides(mesh, *search.reflection)) {
+        out_.inPlane += static_cast<int>(edgesInPlane(mesh, *search.reflection).size());
+        out_.across += static_cast<int>(edgesAcross(mesh, *search.reflection).size());
+        keep(std::move(*search.reflection), p, -1);
+      } else if (!pair(p)) {
+        out_.missing = {static_cast<int>(p), search.matched, search.without};
         break;
       }
-      out_.distance = std::max(out_.distance, search.reflection->distance);
-      out_.inPlane += static_cast<int>(edgesInPlane(mesh, *search.reflection).size());
-      out_.across += static_cast<int>(edgesAcross(mesh, *search.reflection).size());
-      out_.own.push_back(
-          std::make_shared<Mirror>(Mirror{out_.plane, std::move(*search.reflection)}));
     }
     return std::move(out_);
   }
@@ -56,17 +57,35 @@ class Finder {
     return findReflection(model_.components[p].mesh, model_.components[o].mesh, out_.plane,
                           tolerance_[p]);
   }
-  int imageOf(std::size_t p) const {
-    const auto meanAt = [&](std::size_t o) { return meanOf(model_.components[o].mesh); };
-    const Vec3 there = mirrored(out_.plane, meanAt(p));
-    for (std::size_t o = 0; o < std::min(kPaired, tolerance_.size()); ++o)
-      if (o != p && distance(there, meanAt(o)) <= tolerance_[p] && findIn(p, o).reflection)
-        return static_cast<int>(o);
-    return -1;
+  void keep(Reflection image, std::size_t p, int of) {
+    out_.distance = std::max(out_.distance, image.distance);
+    out_.mirrors[p] = std::make_shared<Mirror>(Mirror{out_.plane, std::move(image), of});
+  }
+  /// Looks for the image of a component among those after it.
+  bool pair(std::size_t p) {
+    if (means_.empty())
+      for (const ModelComponent& component : model_.components)
+        means_.push_back(meanOf(component.mesh));
+    const Vec3 there = mirrored(out_.plane, means_[p]);
+    const int faces = model_.components[p].mesh.faceCount();
+    int tried = 0;
+    for (std::size_t o = p + 1; o < means_.size() && tried < kMaxImages; ++o) {
+      if (out_.mirrors[o] || model_.components[o].mesh.faceCount() != faces ||
+          !(distance(there, means_[o]) <= tolerance_[p]))
+        continue;
+      ++tried;
+      ReflectionSearch search = findIn(p, o);
+      if (!search.reflection) continue;
+      keep(std::move(*search.reflection), o, static_cast<int>(p));
+      ++out_.pairs;
+      return true;
+    }
+    return false;
   }
 
   const Model& model_;
   std::vector<double> tolerance_;  ///< per component
+  std::vector<Vec3> means_;        ///< of corners, per component; empty until pairs are looked for
   ModelMirror out_;
 };
 

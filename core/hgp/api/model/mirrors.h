@@ -11,23 +11,24 @@ namespace hgp::api {
 
 /// Where a model has no two sides that are mirror images of each other.
 struct NoMirror {
-  int component = -1;  ///< the first that has none
-  int matched = 0;     ///< its triangles that have an image; all of them: but not hasTwoSides()
-  FaceId without;      ///< one that has none
-  int other = -1;      ///< another component that is its image
+  int component = -1;  ///< the first that is the image neither of itself nor of another
+  int matched = 0;  ///< its triangles that have an image in it; all of them: but not hasTwoSides()
+  FaceId without;   ///< one that has none
 };
 
 struct ModelMirror {
   MirrorPlane plane;
   double distance = 0.0;        ///< of a vertex's image from its mirrored place, at most
   int inPlane = 0, across = 0;  ///< edges
-  std::vector<std::shared_ptr<const Mirror>> own;  ///< per component
-  NoMirror missing;                                ///< component −1: none is
+  int pairs = 0;                ///< components that are images of others
+  /// Per component: the reflection onto itself, or that of a component before it; none for the first of a pair.
+  std::vector<std::shared_ptr<const Mirror>> mirrors;
+  NoMirror missing;  ///< component −1: none is
 };
 
-/// The components' reflections onto themselves, up to the first that has none with two sides.
+/// The components' reflections onto themselves, with two sides, and otherwise onto others, up to the first that has neither.
 ModelMirror mirrorAcross(const Model& model, const MirrorPlane& plane);
-/// All planes of likelyPlanes() across which every component has one.
+/// All planes of likelyPlanes() across which no component is missing.
 std::vector<ModelMirror> findMirrors(const Model& model);
 /// "X = 0.25"; "(0.6, 0.8, 0) · p = 0.25"
 std::string planeText(const MirrorPlane& plane);

@@ -5,6 +5,7 @@
 
 #include "hgp/api/model/mirrors.h"
 #include "hgp/api/request/feature_request.h"
+#include "hgp/api/request/mirror_pairs.h"
 #include "hgp/base/check.h"
 #include "hgp/parametrize/stage_clock.h"
 
@@ -37,15 +38,9 @@ Status checkPossible(const SolveOptions& options, const Request& request) {
 
 /// Why there are no two sides of the plane. @param next  what to do
 Failure notSymmetric(const Model& model, const ModelMirror& mirror, const std::string& next = "") {
-  const auto& [p, matched, without, other] = mirror.missing;
+  const auto& [p, matched, without] = mirror.missing;
   const ModelComponent& component = model.components[at(p)];
   const std::string plane = planeText(mirror.plane);
-  if (other >= 0)
-    return refuse(ErrorCode::kUnsupported,
-                  formatText("components %d and %d are mirror images of each other across %s, and "
-                             "neither is one of itself; parametrize one of them and mirror it.",
-                             p, other, plane.c_str()) +
-                      next);
   const int faces = component.mesh.faceCount();
   if (matched == faces)
     return toSurfaceIds(
@@ -66,22 +61,28 @@ Failure notSymmetric(const Model& model, const ModelMirror& mirror, const std::s
              {{Where::Kind::kFace, without.i}}));
 }
 
-void addTo(const TriMesh& mesh, const std::shared_ptr<const Mirror>& mirror,
-           ComponentRequest& request) {
-  std::vector<EdgeId>& features = request.spec.features;
-  const std::vector<EdgeId> plane = edgesInPlane(mesh, mirror->own);
+/// The edges in the plane are features, and so are rims.
+void addFeatures(const TriMesh& mesh, const Mirror& mirror, std::vector<EdgeId>& features) {
+  const std::vector<EdgeId> plane = edgesInPlane(mesh, mirror.image);
   features.insert(features.end(), plane.begin(), plane.end());
   for (EdgeId e : mesh.edges())
     if (mesh.isBoundary(mesh.halfedge(e))) features.push_back(e);
   std::sort(features.begin(), features.end());
   features.erase(std::unique(features.begin(), features.end()), features.end());
-  request.mirror = mirror;
 }
 
-void take(const Model& model, const ModelMirror& mirror, Request& request) {
-  for (std::size_t p = 0; p < model.components.size(); ++p)
-    addTo(model.components[p].mesh, mirror.own[p], request.components[p]);
+Status take(const Model& model, const ModelMirror& mirror, Request& request) {
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    const std::shared_ptr<const Mirror>& own = mirror.mirrors[p];
+    request.components[p].mirror = own;
+    if (!own) continue;
+    if (own->of < 0)
+      addFeatures(model.components[p].mesh, *own, request.components[p].spec.features);
+    else if (Status joined = joinPair(model, p, request); !joined)
+      return joined;
+  }
   request.plane = mirror.plane;
+  return Done{};
 }
 
 /// Sets the plane that is asked for, or the best of all.
@@ -107,8 +108,7 @@ Status takePlane(const Model& model, const SolveOptions& options, Request& reque
         model, *best,
         isAuto ? formatText(" None of %zu planes that were tried comes nearer.", planes.size())
                : " See the planes that inspect lists.");
-  take(model, *best, request);
-  return Done{};
+  return take(model, *best, request);
 }
 
 }  // namespace
@@ -123,23 +123,26 @@ Status setMirrors(const Model& model, Request& request) {
   if (!request.plane) return Done{};
   const ModelMirror mirror = mirrorAcross(model, *request.plane);
   if (mirror.missing.component >= 0) return notSymmetric(model, mirror);
-  take(model, mirror, request);
-  return Done{};
+  return take(model, mirror, request);
 }
 
 Note mirrorNote(const Model& model, const Request& request) {
   double off = 0.0;
+  int pairs = 0;
   for (std::size_t p = 0; p < model.components.size(); ++p) {
+    const auto& mirror = request.components[p].mirror;
+    if (!mirror) continue;
     const double size = diagonal(boxOfCorners(model.components[p].mesh));
-    off = std::max(off, request.components[p].mirror->own.distance / size);
+    off = std::max(off, mirror->image.distance / size);
+    pairs += mirror->of >= 0 ? 1 : 0;
   }
-  return Note("symmetric", {{"plane", planeText(*request.plane)}, {"off", off}});
+  return Note("symmetric", {{"plane", planeText(*request.plane)}, {"off", off}, {"pairs", pairs}});
 }
 
 bool crossesPlane(const Model& model, const Request& request) {
   for (std::size_t p = 0; p < request.components.size(); ++p)
-    if (const auto& mirror = request.components[p].mirror)
-      if (!edgesAcross(model.components[p].mesh, mirror->own).empty()) return true;
+    if (const auto& mirror = request.components[p].mirror; mirror && mirror->of < 0)
+      if (!edgesAcross(model.components[p].mesh, mirror->image).empty()) return true;
   return false;
 }
 

@@ -9,10 +9,10 @@ namespace hgp::api {
 /// where the mesh has no such reflection; the message says how far the reflection goes.
 Status addMirror(const Model& model, const SolveOptions& options, Request& request);
 
-/// Sets the mirror of every component for request.plane, if there is one, with the edges in the plane as features.
+/// Sets the mirrors of all components for request.plane, if there is one, with the edges in the plane as features (ModelMirror).
 Status setMirrors(const Model& model, Request& request);
 
-/// Says that a map is symmetric, which all components' maps must be. @pre request.plane
+/// Says that a map is symmetric, which all components' maps and pairs must be. @pre request.plane
 Note mirrorNote(const Model& model, const Request& request);
 
 /// Whether edges cross the plane: a map needs edges in it instead.

@@ -227,7 +227,11 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   run.components.reserve(model->components.size());
   bool areAligned = true, areMirrored = request.plane.has_value();
   for (std::size_t p = 0; p < model->components.size(); ++p) {
-    Result<Parametrization> component = solveOnGrid(p, request.components[p], shared, run);
+    const ComponentRequest& asked = request.components[p];
+    const int first = asked.mirror ? asked.mirror->of : -1;
+    Result<Parametrization> component =
+        first < 0 ? solveOnGrid(p, asked, shared, run)
+                  : solveImage(p, asked, maps[at(first)], run.components[at(first)]);
     bool isKept = false;
     std::string whyNone;
     if (!component && options.keepsGoing && maySkip(component.error())) {
@@ -242,7 +246,7 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
     if (!component) return component.error();
     const bool isAligned = component->grid && component->grid->isAligned;
     areAligned = areAligned && isAligned;
-    areMirrored = areMirrored && component->mirror;
+    areMirrored = areMirrored && whyNone.empty();
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
                     std::move(component->certificate), isAligned ? 1.0 : 0.0, isKept, whyNone,
                     component->mirror});

@@ -80,6 +80,9 @@ struct Session::State {
   /// solveComponent along its features.
   Result<Parametrization> solveAlong(std::size_t p, const ComponentRequest& request,
                                      const ParametrizeOptions& options);
+  /// The map of a component that is the image of another, from the other's.
+  Result<Parametrization> solveImage(std::size_t p, const ComponentRequest& request,
+                                     const ComponentMap& first, const Parametrization& run);
   Result<Parametrization> solveOnGrid(std::size_t p, const ComponentRequest& request,
                                       const SolveOptions& shared, RunRecord& run);
   void flatten(Solved& result) const;

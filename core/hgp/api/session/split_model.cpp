@@ -8,6 +8,15 @@
 namespace hgp::api {
 namespace {
 
+/// The edges and their images in another component or the same one, each once.
+void addImages(const TriMesh& from, const std::vector<EdgeId>& edges, const TriMesh& to,
+               const Mirror& mirror, std::vector<EdgeId>& out) {
+  for (EdgeId e : std::vector<EdgeId>(edges))
+    out.push_back(to.edge(mirror.image.halfedge[from.halfedge(e)]));
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
 /// choose(component, its features), for the components of which `isAsked` is set; on both sides of a plane across which the
 /// map is to be symmetric.
 template <class Choose>
@@ -18,14 +27,15 @@ std::vector<std::vector<SplitPlace>> placesOf(const Model& model, const Request&
   for (std::size_t p = 0; p < places.size(); ++p) {
     const TriMesh& mesh = model.components[p].mesh;
     const ComponentRequest& asked = request.components[p];
-    if ((!asked.mirror && asked.spec.features.empty()) || !isAsked[p]) continue;
-    std::vector<EdgeId> edges = choose(model.components[p], asked);
-    if (asked.mirror) {
-      const std::size_t count = edges.size();
-      for (std::size_t n = 0; n < count; ++n)
-        edges.push_back(mesh.edge(asked.mirror->own.halfedge[mesh.halfedge(edges[n])]));
-      std::sort(edges.begin(), edges.end());
-      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    const Mirror* mirror = asked.mirror.get();
+    std::vector<EdgeId> edges;
+    if (mirror && mirror->of >= 0) {  // what the first of the pair has
+      const auto& first = places[at(mirror->of)];
+      if (!first.empty())
+        addImages(model.components[at(mirror->of)].mesh, first[0].edges, mesh, *mirror, edges);
+    } else if ((mirror || !asked.spec.features.empty()) && isAsked[p]) {
+      edges = choose(model.components[p], asked);
+      if (mirror) addImages(mesh, edges, mesh, *mirror, edges);
     }
     if (!edges.empty()) places[p].push_back({reason, std::move(edges)});
   }
@@ -62,7 +72,7 @@ std::vector<EdgeId> aroundOf(const ModelComponent& component, const ComponentReq
   return edgesAround(component.mesh, asked.spec.features);
 }
 std::vector<EdgeId> acrossOf(const ModelComponent& component, const ComponentRequest& asked) {
-  return asked.mirror ? edgesAcross(component.mesh, asked.mirror->own) : std::vector<EdgeId>();
+  return asked.mirror ? edgesAcross(component.mesh, asked.mirror->image) : std::vector<EdgeId>();
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 namespace hgp::api {
 
 MirrorPlaces::MirrorPlaces(const TriMesh& mesh, const Mirror& mirror, const UvMap& map)
-    : mesh_(&mesh), half_(halfOf(mesh, mirror.own, mirror.plane)) {
-  const Reflection& own = mirror.own;
+    : mesh_(&mesh), half_(halfOf(mesh, mirror.image, mirror.plane)) {
+  const Reflection& own = mirror.image;
   const auto uvAt = [&](HalfedgeId h) { return map.cornerUv[at(TriMesh::face(h).i)][at(h.i % 3)]; };
   std::vector<int> number(map.uv.size(), -1);
   cornerUv_.resize(at(half_.mesh.faceCount()));

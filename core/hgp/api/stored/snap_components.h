@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hgp/api/stored/mirror_places.h"
@@ -16,14 +17,20 @@ class ComponentSnapper {
   ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components);
 
   /// Rounds the uv of all components in order, each on its own grid; of a symmetric one, one side, of which the other is the
-  /// image. A component stays unchanged if its q
-  /// has no lattice (5, 7, 8, …) or if it was left out.
+  /// image; of a pair, the first. A component stays unchanged if its q has no lattice (5, 7, 8, …) or if it was left out.
   void snap(const StoredNumbers& numbers, std::vector<Vec2>& uv) const;
 
   /// Excludes a component that rounding breaks: snap() does not round it any more.
   void leave(std::size_t component) { snappers_[component].reset(); }
 
  private:
+  bool isSecond(std::size_t p) const {
+    return components_[p].mirror && components_[p].mirror->of >= 0;
+  }
+  /// Rounds one component, and its image with it (may be empty).
+  void snapOne(std::size_t p, const StoredNumbers& numbers, std::span<Vec2> part,
+               std::span<Vec2> image) const;
+
   const std::vector<ComponentMap>& components_;
   std::vector<std::optional<SeamSnapper>> snappers_;
   std::vector<std::unique_ptr<MirrorPlaces>>

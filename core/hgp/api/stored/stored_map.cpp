@@ -210,12 +210,20 @@ StoredMap store(const Model& model, const StorePlace& place,
   return out;
 }
 
+/// Ascending; of a pair of images, both.
 std::vector<std::size_t> brokenByStoring(const std::vector<ComponentMap>& components,
                                          const StoredMap& stored) {
+  std::vector<char> isBroken(components.size(), 0);
+  for (std::size_t p = 0; p < components.size(); ++p) {
+    if (!components[p].certificate.isCertified || stored.certificates[p].isCertified) continue;
+    isBroken[p] = 1;
+    if (components[p].mirror && components[p].mirror->of >= 0)
+      isBroken[at(components[p].mirror->of)] = 1;
+  }
   std::vector<std::size_t> out;
   for (std::size_t p = 0; p < components.size(); ++p) {
-    if (components[p].certificate.isCertified && !stored.certificates[p].isCertified)
-      out.push_back(p);
+    const Mirror* mirror = components[p].mirror.get();
+    if (isBroken[p] || (mirror && mirror->of >= 0 && isBroken[at(mirror->of)])) out.push_back(p);
   }
   return out;
 }

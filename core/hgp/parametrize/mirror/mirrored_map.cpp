@@ -21,7 +21,7 @@ std::vector<PlaneEdge> planeEdges(const Mirror& mirror, const HalfSurface& half,
     if (!half.mesh.isBoundary(h)) continue;
     const VertexId a = half.mesh.tail(h), b = half.mesh.head(h);
     const VertexId from = half.vertexOrigin[at(a.i)], to = half.vertexOrigin[at(b.i)];
-    if (mirror.own.vertex[from] != from || mirror.own.vertex[to] != to) continue;
+    if (mirror.image.vertex[from] != from || mirror.image.vertex[to] != to) continue;
     const auto& corners = map.cornerUv[at(TriMesh::face(h).i)];
     edges.push_back({corners[at(h.i % 3)], corners[at((h.i + 1) % 3)],
                      distance(half.mesh.position(a), half.mesh.position(b))});
@@ -71,7 +71,7 @@ CopiedMap mirroredMap(const TriMesh& mesh, const Mirror& mirror, const HalfSurfa
     if (image[c] >= 0) continue;
     image[c] = static_cast<int>(out.map.uv.size());
     out.map.uv.push_back({0.0 - uv[c][0], uv[c][1]});
-    out.copyOf.push_back(mirror.own.vertex[out.copyOf[c]]);
+    out.copyOf.push_back(mirror.image.vertex[out.copyOf[c]]);
   }
   out.map.cornerUv.assign(at(mesh.faceCount()), {-1, -1, -1});
   for (HalfedgeId h : half.mesh.halfedges()) {
@@ -80,7 +80,7 @@ CopiedMap mirroredMap(const TriMesh& mesh, const Mirror& mirror, const HalfSurfa
       out.map.cornerUv[at(TriMesh::face(corner).i)][at(corner.i % 3)] = index;
     };
     set(half.origin(h), c);
-    set(TriMesh::next(mirror.own.halfedge[half.origin(h)]), image[at(c)]);
+    set(TriMesh::next(mirror.image.halfedge[half.origin(h)]), image[at(c)]);
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/parametrize/along/along_features.h"
+#include "hgp/parametrize/mirror/image_map.h"
 #include "hgp/parametrize/mirror/mirrored_map.h"
 #include "hgp/verify/certificate.h"
 
@@ -13,12 +14,9 @@ namespace hgp {
 namespace {
 
 void toWhole(const HalfSurface& half, std::vector<Where>& where) {
-  for (Where& w : where) {
-    if (w.kind == Where::Kind::kVertex || w.kind == Where::Kind::kEdge)
-      w.id = half.vertexOrigin[at(w.id)].i;
-    if (w.kind == Where::Kind::kEdge && w.other >= 0) w.other = half.vertexOrigin[at(w.other)].i;
-    if (w.kind == Where::Kind::kFace) w.id = half.faceOrigin[at(w.id)].i;
-  }
+  movePlaces(
+      where, [&](VertexId v) { return half.vertexOrigin[at(v.i)]; },
+      [&](FaceId f) { return half.faceOrigin[at(f.i)]; });
 }
 
 bool isIn(const std::vector<ConePoint>& list, VertexId v, int k) {
@@ -30,25 +28,15 @@ bool isIn(const std::vector<ConePoint>& list, VertexId v, int k) {
 Status checkPairs(const Mirror& mirror, const HolonomySpec& spec) {
   std::vector<Where> where;
   for (const ConePoint& cone : spec.cones)
-    if (cone.k != spec.q && !isIn(spec.cones, mirror.own.vertex[cone.vertex], cone.k))
+    if (cone.k != spec.q && !isIn(spec.cones, mirror.image.vertex[cone.vertex], cone.k))
       where.push_back({Where::Kind::kVertex, cone.vertex.i});
   if (where.empty()) return Done{};
-  return Failure{
-      ErrorCode::kUsage, "symmetric",
-      counted(where.size(), "cone has", "cones have") +
-          " no mirror image of the same angle among the prescribed ones. Add the images, or "
-          "leave out symmetry.",
-      std::move(where)};
+  return unpairedCones(std::move(where));
 }
 
 /// What was prescribed beside features is what the map has.
 Status checkAsked(const HolonomySpec& asked, const CompleteSpec& found) {
   std::vector<Where> where;
-  const auto isOther = [](const std::vector<std::optional<int>>& a, const std::vector<int>& b) {
-    for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
-      if (a[i] && *a[i] != b[i]) return true;
-    return false;
-  };
   const bool hasCones = !asked.cones.empty();
   for (const ConePoint& cone : asked.cones)
     if (cone.k != asked.q && !isIn(found.cones, cone.vertex, cone.k))
@@ -56,9 +44,7 @@ Status checkAsked(const HolonomySpec& asked, const CompleteSpec& found) {
   for (const ConePoint& cone : found.cones)
     if (hasCones && !isIn(asked.cones, cone.vertex, cone.k))
       where.push_back({Where::Kind::kVertex, cone.vertex.i});
-  if (where.empty() && !isOther(asked.turning, found.turning) &&
-      !isOther(asked.handles, found.handles))
-    return Done{};
+  if (where.empty() && !asksOtherTurns(asked, found)) return Done{};
   return Failure{ErrorCode::kPrescription, "symmetric",
                  "In a symmetric map, cones, turnings and rotations along handles are those of a "
                  "field along the plane, which are not the prescribed ones. Leave out these or "
@@ -74,7 +60,7 @@ std::vector<EdgeId> featuresOfSide(const TriMesh& mesh, const Mirror& mirror,
   std::vector<EdgeId> out;
   for (EdgeId e : half.mesh.edges()) {
     const HalfedgeId h = half.origin(half.mesh.halfedge(e));
-    if (isFeature[mesh.edge(h)] || isFeature[mesh.edge(mirror.own.halfedge[h])]) out.push_back(e);
+    if (isFeature[mesh.edge(h)] || isFeature[mesh.edge(mirror.image.halfedge[h])]) out.push_back(e);
   }
   return out;
 }
@@ -87,24 +73,21 @@ CompleteSpec wholeSpec(const TriMesh& mesh, const Mirror& mirror, const HalfSurf
   for (const ConePoint& cone : side.cones) {
     const VertexId v = half.vertexOrigin[at(cone.vertex.i)];
     spec.cones.push_back({v, cone.k});
-    spec.cones.push_back({mirror.own.vertex[v], cone.k});
+    spec.cones.push_back({mirror.image.vertex[v], cone.k});
   }
   for (const MeasuredCone& cone : measured.angles.cones)
-    if (mirror.own.vertex[cone.vertex] == cone.vertex && cone.measured != spec.q)
+    if (mirror.image.vertex[cone.vertex] == cone.vertex && cone.measured != spec.q)
       spec.cones.push_back({cone.vertex, cone.measured});
   std::sort(spec.cones.begin(), spec.cones.end(),
             [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
   for (EdgeId e : side.features) {
     const HalfedgeId h = half.origin(half.mesh.halfedge(e));
     spec.features.push_back(mesh.edge(h));
-    spec.features.push_back(mesh.edge(mirror.own.halfedge[h]));
+    spec.features.push_back(mesh.edge(mirror.image.halfedge[h]));
   }
   std::sort(spec.features.begin(), spec.features.end());
   spec.features.erase(std::unique(spec.features.begin(), spec.features.end()), spec.features.end());
-  for (const MeasuredTurning& turning : measured.angles.turnings)
-    spec.turning.push_back(turning.measured);
-  for (const MeasuredHandle& handle : measured.seams.handles)
-    spec.handles.push_back(handle.measured.value_or(0));
+  readTurns(measured, spec);
   return spec;
 }
 
@@ -123,12 +106,20 @@ void doubleCells(const HalfSurface& half, GridReport& grid) {
 
 }  // namespace
 
+Failure unpairedCones(std::vector<Where> where) {
+  return {ErrorCode::kUsage, "symmetric",
+          counted(where.size(), "cone has", "cones have") +
+              " no mirror image of the same angle among the prescribed ones. Add the images, or "
+              "leave out symmetry.",
+          std::move(where)};
+}
+
 Result<Parametrization> parametrizeSymmetric(const TriMesh& mesh,
                                              const std::shared_ptr<const Mirror>& mirror,
                                              const HolonomySpec& spec,
                                              const ParametrizeOptions& options) {
   if (Status pairs = checkPairs(*mirror, spec); !pairs) return std::move(pairs).error();
-  const HalfSurface half = halfOf(mesh, mirror->own, mirror->plane);
+  const HalfSurface half = halfOf(mesh, mirror->image, mirror->plane);
   HGP_CHECK(2 * half.mesh.faceCount() == mesh.faceCount(), "one side is half of the surface");
   HolonomySpec asked;
   asked.q = spec.q;

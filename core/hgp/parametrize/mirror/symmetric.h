@@ -7,6 +7,9 @@
 
 namespace hgp {
 
+/// Cones at these places have no mirror image of the same angle.
+Failure unpairedCones(std::vector<Where> where);
+
 /// Solves one side of the plane along the edges in it (parametrizeAlongFeatures), reflects the map to the other side and
 /// verifies all of it on the whole surface. Features are those of `spec` and their images, the edges in the plane and all
 /// boundary edges; cones come in pairs, or lie in the plane with an even k. Fails with kUsage where prescribed cones are no

@@ -848,7 +848,7 @@ export interface ModelInfo {
     rimEdges: number;
   };
   /**
-   * Planes with --symmetric: each cuts every component into two sides that are mirror images of each other (absent for unusable meshes)
+   * Planes with --symmetric: each cuts every component into two sides that are mirror images of each other, or exchanges it with another component (absent for unusable meshes)
    */
   mirrors?: {
     /**

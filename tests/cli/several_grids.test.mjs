@@ -131,3 +131,20 @@ test('cells have one size within a file; a component smaller than a few cells ha
       checkCells(`${mode} ${format}`, areas, (n) => found[n].parts);
     }
 });
+
+test('a small piece without integers has cells of the size of the others', () => {
+  const { vertices, triangles } = cubeMesh(4);
+  const needle = [[9, 0, 0], [9.2, 0, 0], [9.1, 0.0001, 0]]; // prettier-ignore
+  const all = { vertices: [...vertices, ...needle], triangles: [...triangles, [0, 1, 2].map((i) => i + vertices.length)] }; // prettier-ignore
+  const text = [...all.vertices.map((p) => `v ${p.join(' ')}`), ...all.triangles.map((t) => `f ${t.map((i) => i + 1).join(' ')}`), '']; // prettier-ignore
+  put('needle.obj', text.join('\n'));
+  for (const cells of ['400', 'auto']) {
+    const done = run('param', 'needle.obj', '--cells', cells, '-o', 'needle.out.obj', '--force', '--json', 'needle.json'); // prettier-ignore
+    assert.equal(done.code, 0, done.err);
+    const { components, notes } = JSON.parse(read('needle.json'));
+    const [whole, small] = components.map(({ grid }) => grid);
+    assert.equal(small.integers, 0);
+    assert.ok(Math.abs(Math.log2(small.spacing / whole.spacing)) < 0.5, `${small.spacing}`);
+    assert.ok(!notes.some(({ code }) => code === 'grid-smaller-cells'));
+  }
+});

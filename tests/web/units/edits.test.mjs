@@ -3,8 +3,14 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { moveCone, placeOrSelect } from '../../../web/src/actions/edit_cones.ts';
+import {
+  balanced,
+  clearCones,
+  moveCone,
+  placeOrSelect,
+} from '../../../web/src/actions/edit_cones.ts';
 import { cancel, runJob } from '../../../web/src/actions/job.ts';
+import { redo, undo } from '../../../web/src/actions/undo.ts';
 import { Document } from '../../../web/src/model/document.ts';
 import { leftAt } from '../../../web/src/model/gauss_bonnet.ts';
 import { History } from '../../../web/src/model/history.ts';
@@ -67,6 +73,31 @@ test('dragging a cone over many vertices is undone at once', () => {
   moveCone(app, 0, 20, 'another drag');
   doc.history = doc.history.undo();
   assert.deepEqual(positionsOf(app), [path.at(-1)]);
+});
+
+test('undo leads back to cones that Run chooses, and to none that were asked for', async () => {
+  const app = opened();
+  const { doc } = app;
+  doc.state.model.loaded = doc.settings;
+  placeOrSelect(app, 0);
+  await undo(app);
+  assert.deepEqual([doc.hasUserCones, doc.needsCones], [false, true]);
+  await redo(app);
+  assert.equal(doc.hasUserCones, true);
+  clearCones(app);
+  assert.equal(doc.hasUserCones, true, 'without cones, as asked');
+  await undo(app);
+  await redo(app);
+  assert.deepEqual([positionsOf(app), doc.hasUserCones], [[], true]);
+});
+
+test('cones at copies of one vertex stay apart when others are added for a balance', async () => {
+  const cone = (vertex, triangle, k = 3) => ({ vertex, k, ...(triangle < 0 ? {} : { triangle }) });
+  const given = [cone(7, -1), cone(5, 20), cone(5, 41), cone(9, 8)];
+  // The solver sorts them, and names another triangle of the copy of vertex 9.
+  const solver = { balanceCones: async (asked) => ({ q: asked.q, cones: [cone(5, 12), cone(5, 20), cone(5, 41), cone(7, -1), cone(9, 3), cone(9, 77, 5)] }) }; // prettier-ignore
+  const all = await balanced({ solver }, { ...emptyPrescription(4, 0, 0), cones: given });
+  assert.deepEqual(all, [...given, cone(5, 12), cone(9, 77, 5)]);
 });
 
 test('a click spends what is left, unless an open boundary takes it', () => {

@@ -97,8 +97,10 @@ test('undo takes back one step; edits of one kind soon after one another are one
 test('a URL gives numbers and known words or nothing', () => {
   const pairs = (list) => btoa(JSON.stringify(list)).replaceAll('=', '');
   assert.deepEqual(readHash(`#q=6&cones=${pairs([[5, 3]])}`).cones, [{ vertex: 5, k: 3 }]);
+  const split = readHash(`#cones=${pairs([[5, 3, 0], [5, 2, 9]])}`).cones; // prettier-ignore
+  assert.deepEqual(split, [{ vertex: 5, k: 3, triangle: 0 }, { vertex: 5, k: 2, triangle: 9 }]); // prettier-ignore
   assert.deepEqual(readHash(`#turnings=${pairs([[0, -4]])}`).turnings, [[0, -4]]);
-  const bad = ['', '!', pairs({}), pairs([[1]]), pairs([[1, 2, 3]]), pairs([[-1, 3]]), pairs([[1, 0]])]; // prettier-ignore
+  const bad = ['', '!', pairs({}), pairs([[1]]), pairs([[1, 2, 3, 4]]), pairs([[1, 2, -3]]), pairs([[-1, 3]]), pairs([[1, 0]])]; // prettier-ignore
   for (const text of [...bad, pairs([[1.5, 3]]), pairs([['1', 3]]), 'A'.repeat(8193)]) {
     assert.equal(readHash(`#cones=${text}`).cones, undefined, text.slice(0, 20));
   }
@@ -178,6 +180,8 @@ test('cones in the address name the mesh of the file to which they belong', () =
     );
   assert.equal(read(withCones).model, 'c0ffee00.2');
   assert.equal(read({ ...plain, turnings: [-4] }).model, 'c0ffee00.2');
+  const split = { ...plain, cones: [{ vertex: 5, k: 3, triangle: 0 }, { vertex: 5, k: 2 }] }; // prettier-ignore
+  assert.deepEqual(read(split).cones, split.cones);
   assert.equal(read(plain).model, undefined); // nothing belongs to a model
   assert.equal(readHash('#model=<b>').model, undefined);
 });

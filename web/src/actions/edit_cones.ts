@@ -14,7 +14,7 @@ import type { Model } from '../model/types';
 import { hasDirections } from '../formats/file_set';
 import { saveCones } from '../services/cone_storage';
 import { describeError } from '../text/error_messages';
-import { plural } from '../text/format';
+import { listed, plural } from '../text/format';
 import type { App } from './app';
 import { isLocked } from './job';
 
@@ -112,11 +112,20 @@ export async function balanced(
   { solver }: Model,
   prescription: Prescription,
 ): Promise<readonly Cone[]> {
-  const { cones } = await solver.balanceCones(toCones(prescription));
-  const isGiven = (one: Cone): boolean =>
-    prescription.cones.some(({ vertex }) => vertex === one.vertex);
-  const added = cones.filter((one) => !isGiven(one)).map(({ vertex, k }) => ({ vertex, k }));
-  return [...prescription.cones, ...added];
+  const { turnings, handles, cones: given } = prescription;
+  const all = await solver.balanceCones(toCones(prescription));
+  const added = [...fromCones(all, turnings.length, handles.length).cones];
+  const take = (isSame: (one: Cone) => boolean): boolean => {
+    const at = added.findIndex(isSame);
+    if (at >= 0) added.splice(at, 1);
+    return at >= 0;
+  };
+  // Copies of a vertex that a repair split are told apart by their triangles, of which the solver may name another.
+  const others = given.filter(
+    ({ vertex, triangle }) => !take((one) => one.vertex === vertex && one.triangle === triangle),
+  );
+  for (const { vertex } of others) take((one) => one.vertex === vertex);
+  return [...given, ...added];
 }
 
 /** Adds the missing cones where they cause the least distortion. */
@@ -137,8 +146,9 @@ export async function balance(app: App): Promise<void> {
   if (doc.prescription !== prescription) return; // edited in the meantime
   if (!setCones(app, all, 'balance')) return;
   const added = all.slice(cones.length);
-  const kinds = [...new Set(added.map(({ k }) => `k = ${k}`))].join(' and ');
-  doc.say(`${plural(added.length, 'cone')} with ${kinds} added. Undo removes them.`, 'good');
+  const kinds = [...new Set(added.map(({ k }) => k))].sort((a, b) => a - b).map(String);
+  const text = `${plural(added.length, 'cone')} added, with k = ${listed(kinds)}`;
+  doc.say(`${text}. Undo removes them.`, 'good');
 }
 
 export function setTurning(app: App, loop: number, l: number | null): void {

@@ -27,10 +27,8 @@ export async function evenOut(app: App): Promise<void> {
   const all = added.length > 0 ? await balanced(model, wanted).catch(() => wanted.cones) : [];
   if (doc.prescription !== prescription || added.length === 0) return;
   if (!setPrescription(app, { ...prescription, cones: all }, 'even out sizes')) return;
-  const count = plural(all.length - cones.length, 'cone');
-  if ((await run(app)) === 'done')
-    doc.say(
-      `${count} added where the pattern was largest and smallest. Undo removes them.`,
-      'good',
-    );
+  const balancing = all.length - cones.length - added.length;
+  const more = balancing > 0 ? `, and ${balancing} to balance them` : '';
+  const text = `${plural(added.length, 'cone')} added where the pattern was largest and smallest`;
+  if ((await run(app)) === 'done') doc.say(`${text}${more}. Undo removes them.`, 'good');
 }

@@ -25,6 +25,7 @@ export async function usePreset(app: App, preset: Preset): Promise<void> {
     return;
   }
   if (preset === 'quads') ui.setTarget('quads');
+  else if (ui.target === 'quads') ui.setTarget('blender');
   await realign(app, { isOn: true, mode: preset === 'quads' ? 'quad' : 'tile', cells: undefined });
 }
 

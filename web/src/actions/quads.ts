@@ -58,6 +58,8 @@ async function withCells(app: App, cells: number): Promise<void> {
   await previewQuads(app);
 }
 
+const quadsShown = 'The quads are shown on the model; your map is still there.';
+
 /** Makes the quads of the map that is shown, and shows them; what was made is kept. */
 export async function previewQuads(app: App): Promise<QuadPreview | undefined> {
   const { doc } = app;
@@ -79,13 +81,14 @@ export async function previewQuads(app: App): Promise<QuadPreview | undefined> {
     doc.job = undefined;
     const shape = readQuads(made.bytes);
     doc.quads = { of: current, made, glb: glb.bytes, shape, asked, isShown: true };
-    doc.say('The quads are shown on the model; your map is still there.', 'good');
+    doc.say(quadsShown, 'good');
   });
   return doc.quads?.of === current ? doc.quads : undefined;
 }
 
 export function hideQuads({ doc }: App): void {
   if (doc.quads) doc.quads = { ...doc.quads, isShown: false };
+  if (doc.message?.text === quadsShown) doc.message = undefined;
 }
 
 export const quadName = ({ doc }: App, file: QuadFile): string => {

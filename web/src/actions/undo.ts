@@ -3,6 +3,7 @@
 import type { App } from './app';
 import { isLocked } from './job';
 import { reloadForStep } from './load';
+import { isSilent } from '../model/prescription';
 
 async function step(app: App, forward: boolean): Promise<void> {
   const { doc } = app;
@@ -13,6 +14,9 @@ async function step(app: App, forward: boolean): Promise<void> {
   doc.history = after;
   doc.message = undefined;
   doc.selected = -1;
+  // Before the first cone was placed, a run chooses them.
+  const isSet = !isSilent(after.value.prescription);
+  doc.hasUserCones = isSet || (after.canUndo && doc.hasUserCones);
   const { model } = doc;
   if (!model || doc.settings === model.loaded) return;
   // A repair or a weld is undone only if reading the file again is not cancelled.

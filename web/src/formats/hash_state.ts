@@ -2,7 +2,7 @@
 
 import type { Edge, FeatureChoice } from '../model/features';
 import { plainRounds } from '../model/request';
-import type { Prescription } from '../model/prescription';
+import type { Cone, Prescription } from '../model/prescription';
 import {
   overlays,
   patterns,
@@ -32,7 +32,7 @@ export interface HashState {
   features?: Omit<FeatureChoice, 'rims'>;
   /** The model to which cones, turnings and handles belong, as `modelTag` gives it. */
   model?: string;
-  cones?: { vertex: number; k: number }[];
+  cones?: Cone[];
   /** Pairs of a loop and its l, and of a generator and its r. */
   turnings?: [number, number][];
   handles?: [number, number][];
@@ -47,23 +47,38 @@ const integer = (text: string | null, low: number, high: number): number | undef
   return Number.isInteger(n) && n >= low && n <= high ? n : undefined;
 };
 
-/** Pairs of integers; undefined if the text has anything else. */
-function pairsOf(text: string | null): [number, number][] | undefined {
+/** Lists of two integers, or of up to `most`; undefined if the text has anything else. */
+function tuplesOf(text: string | null, most: number): number[][] | undefined {
   if (!text || text.length > maxText || !/^[\w-]+$/.test(text)) return undefined;
   try {
     const list: unknown = JSON.parse(atob(text.replaceAll('-', '+').replaceAll('_', '/')));
-    const isPair = (one: unknown): boolean =>
-      Array.isArray(one) && one.length === 2 && one.every((n) => Number.isSafeInteger(n));
-    return Array.isArray(list) && list.every(isPair) ? (list as [number, number][]) : undefined;
+    const isTuple = (one: unknown): boolean =>
+      Array.isArray(one) &&
+      one.length >= 2 &&
+      one.length <= most &&
+      one.every((n) => Number.isSafeInteger(n));
+    return Array.isArray(list) && list.every(isTuple) ? (list as number[][]) : undefined;
   } catch {
     return undefined;
   }
 }
 
-function conesOf(text: string | null): HashState['cones'] {
-  const pairs = pairsOf(text);
-  if (!pairs?.every(([vertex, k]) => vertex >= 0 && k >= 1)) return undefined;
-  return pairs.map(([vertex, k]) => ({ vertex, k }));
+const pairsOf = (text: string | null) => tuplesOf(text, 2) as [number, number][] | undefined;
+
+/** A vertex and its k; of a copy of a vertex, its triangle as well. */
+const tupleOf = ({ vertex, k, triangle }: Cone): number[] =>
+  triangle === undefined ? [vertex, k] : [vertex, k, triangle];
+
+function conesOf(text: string | null): Cone[] | undefined {
+  const tuples = tuplesOf(text, 3);
+  const isCone = ([vertex, k, triangle = 0]: number[]): boolean =>
+    vertex >= 0 && k >= 1 && triangle >= 0;
+  if (!tuples?.every(isCone)) return undefined;
+  return tuples.map(([vertex, k, triangle]) => ({
+    vertex,
+    k,
+    ...(triangle === undefined ? {} : { triangle }),
+  }));
 }
 
 function gridOf(words: URLSearchParams): GridSettings | undefined {
@@ -155,11 +170,7 @@ export function writeHash(source: HashSource): Written {
   };
   const said = (list: readonly (number | null)[]): number[][] =>
     list.flatMap((n, i) => (n === null ? [] : [[i, n]]));
-  set(
-    'cones',
-    prescription.cones.map(({ vertex, k }) => [vertex, k]),
-    'cones',
-  );
+  set('cones', prescription.cones.map(tupleOf), 'cones');
   set('turnings', said(prescription.turnings), 'turnings');
   set('handles', said(prescription.handles), 'rotations around handles');
   set('edges', features?.edges ?? [], 'edges that lines follow');

@@ -43,7 +43,7 @@ export function setHint(id: TargetId, set: number): string {
     return `The new coordinates are the UV map “${name}”: name it in a UV Map node before the image texture, or make it the active one in the mesh’s data.`;
   }
   if (id === 'three')
-    return `The new coordinates are set ${set}: texture.channel = ${set} for each texture that is to use them.`;
+    return `The new coordinates are set ${set}: texture.channel = ${set} for each texture that you add for them.`;
   return `The new coordinates are UV channel ${set}, where the first is 0 (Unreal: coordinate index ${set}; Unity: UV${set}; Godot: ${set === 1 ? 'UV2' : 'none beyond UV2, so replace TEXCOORD_0'}).`;
 }
 

@@ -7,7 +7,7 @@ import { attempt, type AppView } from '../actions/app';
 import { evenOut } from '../actions/even_out';
 import { showPlaces } from '../actions/view';
 import type { Solution } from '../model/types';
-import { count, percentText, plural, timesText } from '../text/format';
+import { count, percentText, timesText } from '../text/format';
 
 /** From here on sizes are said to differ much. */
 const much = 10;
@@ -63,7 +63,7 @@ function sizeNote(
 ): TemplateResult | typeof nothing {
   const { range, larger, smaller } = sizes;
   if (range < much) return nothing;
-  const cones = larger.vertices.length + smaller.vertices.length;
+  const canAdd = larger.vertices.length + smaller.vertices.length > 0;
   const outlined = larger.triangles.length > 0 ? larger : smaller;
   const show = (): void => showPlaces(app, places(outlined.triangles), outlined.vertices[0]);
   const act = (): void => void attempt(app, () => evenOut(app));
@@ -76,9 +76,9 @@ function sizeNote(
     <p class="row">
       <button type="button" class="small" @click=${show}>Show</button>
       ${
-        isCurrent && cones > 0
+        isCurrent && canAdd
           ? html`<button type="button" class="small" ?disabled=${app.doc.isBusy} @click=${act}>
-              Add ${plural(cones, 'cone')} there and run
+              Add cones there and run
             </button>`
           : nothing
       }

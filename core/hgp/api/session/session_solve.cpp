@@ -192,6 +192,11 @@ static void noteCells(const GridReport& grid, RunRecord& run) {
            {{"cells", grid.cells + grid.added}, {"asked", asked}, {"perCone", grid.cellsPerCone}}));
 }
 
+/// Whether any cells are as good as others: nothing of the map must lie on integers.
+static bool isFreeOfGrid(const Parametrization& run) {
+  return run.grid->integers == 0 && run.spec.features.empty();
+}
+
 /// The component with cells of the shared size, or of a whole fraction where it is too small for these.
 Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const ComponentRequest& request,
                                                     const SolveOptions& shared, RunRecord& run) {
@@ -212,7 +217,10 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
     const bool isOver = !component || !component->grid || component->grid->isAligned || !isSmall ||
                         extra == kMaxFiner;
     if (!isOver) continue;
-    if (component && component->grid && component->grid->isAligned && halvings > 0)
+    const bool isAligned = component && component->grid && component->grid->isAligned;
+    if (isAligned && halvings > 0 && own.grid.mode == GridMode::kTile && isFreeOfGrid(*component))
+      return solveComponent(p, request, shared);
+    if (isAligned && halvings > 0)
       run.notes.push_back(Note("grid-smaller-cells", {{"component", p}, {"parts", 1 << halvings}}));
     return component;
   }

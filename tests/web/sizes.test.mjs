@@ -1,4 +1,4 @@
-// Four sizes of the window: nothing to scroll sideways, nothing too small to hit; pictures.
+// Five sizes of the window: nothing to scroll sideways, nothing past the side panel's padding or too small to hit; pictures.
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
@@ -17,13 +17,26 @@ function tooSmall() {
     .map(([name, box]) => `${name}: ${box.width} × ${box.height}`);
 }
 
+/** What reaches beyond the right padding of its section in the side panel. */
+function past() {
+  return [...document.querySelectorAll('aside details[id^=panel-]')]
+    .filter((section) => section.checkVisibility())
+    .flatMap((section) => {
+      const end = section.getBoundingClientRect().right - parseFloat(getComputedStyle(section).paddingRight); // prettier-ignore
+      return [...section.querySelectorAll('select, dd, dd button, p, label')]
+        .filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > end + 1)
+        .map((one) => `${one.id || one.textContent.trim()}: ${one.getBoundingClientRect().right} > ${end}`); // prettier-ignore
+    });
+}
+
 test('three sizes, and 320 pixels without sideways scrolling', async () => {
   const { page } = it;
-  await example(it, 'sphere');
+  await example(it, 'cube');
   await run(it);
   for (const [width, height] of [
     [1440, 900],
     [1024, 768],
+    [768, 1024],
     [390, 844],
     [320, 640],
   ]) {
@@ -35,6 +48,7 @@ test('three sizes, and 320 pixels without sideways scrolling', async () => {
     // Everything that can be pressed is large enough to be hit, and the model is not covered.
     const small = await page.evaluate(tooSmall);
     assert.deepEqual(small, [], `${width}`);
+    assert.deepEqual(await page.evaluate(past), [], `${width}`);
   }
   assert.deepEqual(await violations(page), []);
 });

@@ -176,7 +176,7 @@ test('the budget shows what is left and how to balance it; q converts where that
   await page.click('#balance');
   await page.waitForSelector('.budget.good');
   assert.equal(await coneCount(it), 9);
-  assert.match(await statusText(page), /1 cone with k = 3 added/);
+  assert.match(await statusText(page), /1 cone added, with k = 3/);
   await page.click('#undo');
   await page.click('tr[data-cone="0"] [aria-label$="smaller k"]');
   await page.waitForSelector('.budget.good');
@@ -300,8 +300,14 @@ test('the slider from angles to areas lowers distortion and appears in the comma
     return /log₂ area, 5 · 95 %\s*([−\d.]+) · ([−\d.]+)/.exec(text).slice(1).map((x) => Number(x.replace('−', '-'))); // prettier-ignore
   };
   const [low, high] = await areas();
+  const shown = () => page.evaluate(() => ['stretch', 'size'].map((id) => Number(/[\d.]+/.exec(document.querySelector(`#${id} > span`).innerText)[0]))); // prettier-ignore
+  const before = await shown();
   await page.locator('#quality').check();
   assert.equal(await page.getAttribute('body', 'data-state'), 'stale');
+  await run(it);
+  const after = await shown();
+  // Sizes fall, and stretch, which is small here, hardly rises; in the middle of the slider it would be twice as large.
+  assert.ok(after[0] < 1.3 * before[0] && after[1] <= before[1], `${before} to ${after}`);
   const slider = page.locator('#improve');
   await slider.fill('1');
   await slider.dispatchEvent('change');

@@ -359,9 +359,9 @@ test('settings of Run are those of the panel, and make another map', { skip }, a
   assert.equal($('#align').checked, true);
   assert.match(textOf($('#cells-shown')), /^[\d ]+$/);
   await choose('#quality', true);
-  assert.equal(doc.solve.improve, 0);
+  assert.equal(doc.solve.improve, -0.75);
   assert.equal(doc.stateName, 'stale');
-  assert.equal($('#improve').value, '0');
+  assert.equal($('#improve').value, '-0.75');
   await choose('#improve', '0.5');
   assert.equal(doc.solve.improve, 0.5);
   assert.match($('#improve').getAttribute('aria-valuetext'), /more for areas/);

@@ -33,6 +33,12 @@ const usualCells = 1000;
 const sliderOfCells = (cells: number): number => Math.round(25 * (Math.log10(cells) - 1));
 const cellsOfSlider = (slider: number): number => Number((10 ** (1 + slider / 25)).toPrecision(2));
 
+/**
+ * The balance of Less distortion, until the slider is moved: nearer to angles, at which both stretch and sizes fall. Over 22
+ * models typical stretch became 0.75 and the spread of sizes 0.83 times that of the map as solved (2.07 and 0.71 at 0).
+ */
+const gentle = -0.75;
+
 class SolvePanel extends Panel {
   /** Position of the slider while it is dragged. */
   #dragged?: number;
@@ -220,7 +226,7 @@ class SolvePanel extends Panel {
             type="checkbox"
             id="quality"
             .checked=${live(isOn)}
-            @change=${(event: Event) => this.#set({ improve: isChecked(event) ? 0 : undefined })}
+            @change=${(event: Event) => this.#set({ improve: isChecked(event) ? gentle : undefined })}
           />
           Less distortion
         </label>

@@ -53,7 +53,7 @@ interface Part {
 
 const quiet = { withMap: 0.3, certified: 0.12, plain: 0.62, pointedAt: 0.08 };
 /** Of that, with materials of the file: a scene shall be seen as it is, with a hint of what is not open. */
-const quietWithOwn = 0.5;
+const quietWithOwn = 0.75;
 const maxPoints = 4000; // of each part that framing looks at
 
 export class WholeScene extends Group {

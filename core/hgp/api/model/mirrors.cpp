@@ -77,7 +77,6 @@ class Finder {
       ReflectionSearch search = findIn(p, o);
       if (!search.reflection) continue;
       keep(std::move(*search.reflection), o, static_cast<int>(p));
-      ++out_.pairs;
       return true;
     }
     return false;

@@ -20,7 +20,6 @@ struct ModelMirror {
   MirrorPlane plane;
   double distance = 0.0;        ///< of a vertex's image from its mirrored place, at most
   int inPlane = 0, across = 0;  ///< edges
-  int pairs = 0;                ///< components that are images of others
   /// Per component: the reflection onto itself, or that of a component before it; none for the first of a pair.
   std::vector<std::shared_ptr<const Mirror>> mirrors;
   NoMirror missing;  ///< component −1: none is

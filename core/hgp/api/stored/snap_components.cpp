@@ -15,6 +15,7 @@ std::optional<std::vector<Vec2>> imageOf(const std::vector<Vec2>& rounded, const
   const double c = std::nearbyint((before[0] + imageBefore[0]) / step) * step;
   const double d = std::nearbyint((imageBefore[1] - before[1]) / step) * step;
   std::vector<Vec2> image;
+  image.reserve(rounded.size());
   for (const Vec2& p : rounded) image.push_back({c - p[0], p[1] + d});
   if (snapper.firstExponent(image, numbers) > exponent) return {};
   return image;
@@ -25,21 +26,23 @@ std::optional<std::vector<Vec2>> imageOf(const std::vector<Vec2>& rounded, const
 ComponentSnapper::ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components)
     : components_(components) {
   for (std::size_t p = 0; p < components.size(); ++p) {
+    const ComponentMap& component = components[p];
+    const TriMesh& mesh = model.components[p].mesh;
     mirrors_.emplace_back();
-    snappers_.emplace_back();
-    if (isSecond(p)) continue;
-    if (components[p].mirror)
-      mirrors_.back() = std::make_unique<MirrorPlaces>(model.components[p].mesh,
-                                                       *components[p].mirror, components[p].map);
-    if (!components[p].certificate.isCertified) continue;  // rounding must not hide its faults
-    if (components[p].mirror) {
-      snappers_.back() = mirrors_.back()->snapper(components[p].spec, components[p].map.uv);
+    if (component.mirror && !isSecond(p))
+      mirrors_.back() = std::make_unique<MirrorPlaces>(mesh, *component.mirror, component.map);
+    if (isSecond(p) || !component.certificate.isCertified) {  // rounding must not hide its faults
+      snappers_.emplace_back();
+      continue;
+    }
+    if (component.mirror) {
+      snappers_.push_back(mirrors_.back()->snapper(component.spec, component.map.uv));
       continue;
     }
     std::vector<VertexId> cones;
-    for (const ConePoint& cone : components[p].spec.cones) cones.push_back(cone.vertex);
-    snappers_.back() = SeamSnapper::make(model.components[p].mesh, components[p].map,
-                                         components[p].spec.q, cones, components[p].spec.features);
+    for (const ConePoint& cone : component.spec.cones) cones.push_back(cone.vertex);
+    snappers_.push_back(
+        SeamSnapper::make(mesh, component.map, component.spec.q, cones, component.spec.features));
   }
 }
 

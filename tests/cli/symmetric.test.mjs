@@ -262,6 +262,25 @@ function besideImage({ vertices, triangles }) {
   return { vertices: [...places, ...images], triangles: [...triangles, ...turned.reverse()] };
 }
 
+/** The boxes in uv of parts, each of which is a list of triangles, leave each other room, right of and above the origin; v of GLB points down from 1. */
+function checkApart(parts) {
+  const boxes = parts.map((part) => {
+    const uv = part.flatMap((t) => t.map(([, one]) => one));
+    return [0, 1].map((i) => [Math.min, Math.max].map((end) => end(...uv.map((one) => one[i]))));
+  });
+  assert.ok(
+    boxes.every((box) => box.every(([low]) => low >= -1)),
+    `${boxes}`,
+  );
+  boxes.forEach((a, n) => {
+    for (const b of boxes.slice(n + 1))
+      assert.ok(
+        [0, 1].some((i) => a[i][1] < b[i][0] || b[i][1] < a[i][0]),
+        `${a} and ${b}`,
+      );
+  });
+}
+
 /** Numbers c and d with c − u and v + d at the image of every corner, the same for all of a pair. */
 function checkPair(corners, what) {
   const uvOf = new Map();
@@ -292,6 +311,50 @@ test('components that are images of each other are so in the stored bits, with a
       }
     good('quads', 'in.obj', '--symmetric', 'X', '-o', 'quads.obj', '--force');
   }
+});
+
+test('pairs beside each other leave each other room', () => {
+  const all = { vertices: [], triangles: [] };
+  for (const [n, name] of ['torus', 'open hill', 'ellipsoid'].entries()) {
+    const { vertices, triangles } = besideImage(shapes[name]);
+    const first = all.vertices.length;
+    all.vertices.push(...vertices.map(([x, y, z]) => [x, y, z + 40 * n]));
+    all.triangles.push(...triangles.map((t) => t.map((v) => v + first)));
+  }
+  put('in.obj', toObj(all));
+  for (const grid of [[], ['--cells', '2000']])
+    for (const out of ['out.obj', 'out.glb']) {
+      good('param', 'in.obj', '--symmetric', 'X', grid, '-o', out, '--force');
+      const corners = readers[out.slice(4)](at(out));
+      const pairs = [0, 1, 2].map((n) => corners.filter((t) => Math.round(t[0][0][2] / 40) === n));
+      pairs.forEach((pair, n) => checkPair(pair, [n, out]));
+      checkApart(pairs.flatMap((pair) => [1, -1].map((sign) => pair.filter((t) => sign * t[0][0][0] > 0)))); // prettier-ignore
+    }
+});
+
+test('what is split on one of a pair is split on both, and where one has no map, neither has', () => {
+  const plain = { vertices: [[3, 0, 0], [5, 0.2, 0.1], [4, 1.7, 0.3], [4.2, 0.5, 1.4]], triangles: [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]] }; // prettier-ignore
+  put('in.obj', toObj(besideImage(plain)));
+  good('param', 'in.obj', '--symmetric', 'X', '--creases', '-o', 'out.obj', '--force');
+  const corners = readers.obj(at('out.obj'));
+  assert.equal(corners.length, 32);
+  checkPair(corners, 'plain');
+  put('in.obj', toObj(besideImage(shapes.torus)));
+  const { code } = run('param', 'in.obj', '--symmetric', 'X', '--cone', '0:3', '--cone', '5:5', '--keep-going', '-o', 'out.obj', '--force', '--json', 'r.json'); // prettier-ignore
+  assert.equal(code, 6);
+  const { notes } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+  assert.equal(notes.filter((note) => note.code === 'component-without-map').length, 2);
+  assert.ok(!notes.some((note) => note.code === 'symmetric'));
+});
+
+test('a turning of the first of a pair goes with cones of the second', () => {
+  const { vertices, triangles } = besideImage(shapes['open hill']);
+  put('in.obj', toObj({ vertices, triangles }));
+  const used = new Map();
+  for (const t of triangles) for (const v of t) used.set(v, (used.get(v) ?? 0) + 1);
+  const inside = [...used].find(([v, n]) => n >= 6 && vertices[v][0] < 0)[0];
+  good('param', 'in.obj', '--symmetric', 'X', '--turning', '0:3', '--cone', `${inside}:3`, '-o', 'out.obj', '--force'); // prettier-ignore
+  checkPair(readers.obj(at('out.obj')), 'turning');
 });
 
 test('a turning that the image of a component does not have is refused', () => {

@@ -29,7 +29,7 @@ function past() {
     });
 }
 
-test('three sizes, and 320 pixels without sideways scrolling', async () => {
+test('five sizes, down to 320 pixels', async () => {
   const { page } = it;
   await example(it, 'cube');
   await run(it);

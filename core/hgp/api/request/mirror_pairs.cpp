@@ -32,7 +32,7 @@ Status joinPair(const Model& model, std::size_t second, Request& request) {
   ComponentRequest& from = request.components[at(mirror.of)];
   const TriMesh& fromMesh = model.components[at(mirror.of)].mesh;
   const TriMesh& toMesh = model.components[second].mesh;
-  if (from.isAutomatic && !to.spec.cones.empty()) {
+  if (from.spec.cones.empty() && !to.spec.cones.empty()) {
     PerVertex<VertexId> source(at(toMesh.vertexCount()));
     for (VertexId v : fromMesh.vertices()) source[mirror.image.vertex[v]] = v;
     for (const ConePoint& cone : to.spec.cones)

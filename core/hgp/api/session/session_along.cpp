@@ -18,7 +18,9 @@ Result<Parametrization> Session::State::solveAlong(std::size_t p, const Componen
 Result<Parametrization> Session::State::solveImage(std::size_t p, const ComponentRequest& request,
                                                    const ComponentMap& first,
                                                    const Parametrization& run) {
-  if (!first.whyNone.empty()) return Failure{ErrorCode::kNoMap, "symmetric", first.whyNone, {}};
+  if (!first.whyNone.empty())
+    return Failure{
+        ErrorCode::kNoMap, "symmetric", "its mirror image has none: " + first.whyNone, {}};
   const ModelComponent& component = model->components[p];
   Result<Parametrization> image =
       imageOfMap({first.map, first.copyOf}, run, model->components[at(request.mirror->of)].mesh,

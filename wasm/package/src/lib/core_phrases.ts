@@ -160,7 +160,7 @@ export const corePhrases = {
   'map-areas-lowered':
     'Areas of the map spanned more than double precision resolves: its distortion was lowered.',
   symmetric:
-    'the map is its own mirror image across the plane {plane}; vertices of the mesh are off theirs by at most {off:.2g} of the diagonal. Lines follow the plane, and the rims of what it cuts.[pairs: {pairs|component is|components are} the image of another.]',
+    'the map is its own mirror image across the plane {plane}; vertices of the mesh are off theirs by at most {off:.2g} of the diagonal. Lines follow the plane, and the rims of what it cuts.[pairs: {pairs|component is the image of another|components are images of others}.]',
   'symmetric-split':
     'THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, so that the plane of symmetry has edges in it. The written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids.',
   'features-contradict':

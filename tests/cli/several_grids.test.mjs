@@ -132,6 +132,38 @@ test('cells have one size within a file; a component smaller than a few cells ha
     }
 });
 
+test('automatic cells have one size in a scene, as its nodes show the meshes, or a half, a quarter … of it', async () => {
+  // The largest mesh as shown is neither the first nor the largest in its own units.
+  const [shapes, sizes, scales] = [
+    [cubeMesh(4), torusMesh(24, 16), cubeMesh(6), torusMesh(24, 16), cubeMesh(4)],
+    [1, 3, 100, 0.2, 0.02],
+    [1, 1, 0.06, 10, 5],
+  ];
+  const document = await new NodeIO().readBinary(toGlb(shapes.map((s, n) => scaled(s, sizes[n]))));
+  document
+    .getRoot()
+    .listNodes()
+    .forEach((node, n) => node.setScale([scales[n], scales[n], -scales[n]]));
+  put('scene.glb', await new NodeIO().writeBinary(document));
+  for (const cells of ['auto', '3000']) {
+    const done = run('param', 'scene.glb', '--cells', cells, '-o', 'scene.out.glb', '--force', '--json', 'scene.json'); // prettier-ignore
+    assert.equal(done.code, 0, done.err);
+    const grids = JSON.parse(read('scene.json')).meshes.map(({ document: { components, cones } }) => ({ ...components[0].grid, cones: cones.cones.length })); // prettier-ignore
+    const areas = await areasOfGlb('scene.out.glb');
+    const cell = areas.map(({ inSpace, inUv }, n) => scales[n] * Math.sqrt(inSpace / inUv));
+    assert.ok(grids.every(({ aligned }) => aligned));
+    const parts = cell.map((length) => Math.log2(cell[2] / length));
+    for (const part of parts)
+      assert.ok(Math.abs(part - Math.round(part)) < 0.3 && part > -0.3, `${cells}: ${parts}`);
+    // The others have room for cells of the same size; the smallest has not.
+    assert.deepEqual(parts.slice(0, 4).map(Math.round).map(Math.abs), [0, 0, 0, 0], `${parts}`);
+    assert.ok(parts[4] > 1, `${parts}`);
+    if (cells !== 'auto') continue;
+    const total = areas[4].inUv;
+    assert.ok(total > 20 * grids[4].cones, `${total} cells for ${grids[4].cones} cones`);
+  }
+});
+
 test('a small piece without integers has cells of the size of the others', () => {
   const { vertices, triangles } = cubeMesh(4);
   const needle = [[9, 0, 0], [9.2, 0, 0], [9.1, 0.0001, 0]]; // prettier-ignore

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/api/model/cell_lengths.h"
 #include "hgp/api/model/convert_document.h"
 #include "hgp/api/model/needed_repairs.h"
 #include "hgp/api/model/repaired_model.h"
@@ -207,6 +208,7 @@ Result<OpenedFile> openFile(io::FileSet files, const LoadOptions& options) {
   if (!options.target.empty() && io::canConvert(*file.document, options.target)) {
     if (Status done = convert(file, copy, options); !done) return done.error();
   }
+  file.cellLengths = cellLengths(*file.document);
   return file;
 }
 

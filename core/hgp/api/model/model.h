@@ -41,8 +41,9 @@ struct OpenedFile {
   /// False after a conversion to another format: ids of the file are then not those of `source()`.
   bool hasOwnVertexIds = true, hasOwnFaceIds = true;
   bool isJoined =
-      false;    ///< all meshes of the file became one, which LoadOptions::surface does not name
-  Notes notes;  ///< what reading, welding and repairs did
+      false;  ///< all meshes of the file became one, which LoadOptions::surface does not name
+  std::vector<double> cellLengths;  ///< of automatic grids, by surface; {} of one surface
+  Notes notes;                      ///< what reading, welding and repairs did
   std::optional<prescription::Prescription>
       embeddedCones;  ///< stored in the file; invalid ones only give a note
 };

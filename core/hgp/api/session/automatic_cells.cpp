@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/api/model/cell_lengths.h"
 #include "hgp/api/session/session_state.h"
 #include "hgp/grid/grid_measures.h"
 #include "hgp/mesh/box.h"
@@ -11,8 +12,6 @@
 namespace hgp::api {
 namespace {
 
-constexpr double kCellsAcross = 14.0;
-constexpr double kFewest = 800.0;
 constexpr double kPerCone = 40.0;
 constexpr double kMaxAutomatic = 1e6;
 /// A second run is worth its time up to this many triangles.
@@ -40,10 +39,18 @@ double automaticCells(const Model& model, const Request& request) {
   std::size_t cones = 0;
   for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
   for (const ComponentRequest& component : request.components) cones += component.spec.cones.size();
-  const double across = kCellsAcross / diagonal(finiteBoxOf(model.mesh.positions));
-  const double cells =
-      std::max({area * across * across, kFewest, kPerCone * static_cast<double>(cones)});
-  return std::round(std::min(cells, kMaxAutomatic));
+  const double needed = kPerCone * static_cast<double>(cones);
+  const auto surface = static_cast<std::size_t>(model.surface);
+  double cells = 0.0;
+  if (surface < model.cellLengths.size()) {
+    const double length = model.cellLengths[surface];
+    cells = area / (length * length);
+    while (cells > 0.0 && cells < needed) cells *= 4.0;
+  } else {
+    const double across = kCellsAcross / diagonal(finiteBoxOf(model.mesh.positions));
+    cells = std::max({area * across * across, kFewestCells, needed});
+  }
+  return std::max(1.0, std::round(std::min(cells, kMaxAutomatic)));
 }
 
 SolveOptions Session::State::withCells(const Request& request, SolveOptions options) const {

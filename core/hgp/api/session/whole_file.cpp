@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/io/placements.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::api {
@@ -21,14 +22,30 @@ double areaOf(const Session& session) {
   return area;
 }
 
-/// A number of cells becomes an edge length: that of so many cells on all meshes together.
-SolveOptions withSharedCells(Session& session, SolveOptions options) {
-  if (!(options.grid.cells > 0.0) || session.surfaceCount() < 2) return options;
+/// By mesh, the factor of lengths with which nodes show it.
+std::vector<double> scalesOf(const Session& session) {
+  std::vector<double> scales(static_cast<std::size_t>(session.surfaceCount()), 1.0);
+  const std::vector<io::Placements> placements = session.placements();
+  for (std::size_t mesh = 0; mesh < std::min(scales.size(), placements.size()); ++mesh)
+    scales[mesh] = io::scaleOf(placements[mesh]);
+  return scales;
+}
+
+/// By mesh, the options in which a number of cells is their edge length: that of so many cells on all meshes together, as
+/// nodes show them.
+std::vector<SolveOptions> withSharedCells(Session& session, const SolveOptions& options) {
+  std::vector<SolveOptions> each(static_cast<std::size_t>(session.surfaceCount()), options);
+  if (!(options.grid.cells > 0.0) || each.size() < 2) return each;
+  const std::vector<double> scales = scalesOf(session);
   double area = 0.0;
-  for (int mesh = 0; mesh < session.surfaceCount(); ++mesh)
-    if (session.choose(mesh)) area += areaOf(session);
-  if (area > 0.0) options.grid = {0.0, std::sqrt(area / options.grid.cells), options.grid.mode};
-  return options;
+  for (std::size_t mesh = 0; mesh < each.size(); ++mesh)
+    if (session.choose(static_cast<int>(mesh)))
+      area += scales[mesh] * scales[mesh] * areaOf(session);
+  if (!(area > 0.0)) return each;
+  const double length = std::sqrt(area / options.grid.cells);
+  for (std::size_t mesh = 0; mesh < each.size(); ++mesh)
+    each[mesh].grid = {0.0, length / scales[mesh], options.grid.mode};
+  return each;
 }
 
 Status solveOne(Session& session, const WholeFileOptions& options, const SolveOptions& solve) {
@@ -70,9 +87,9 @@ Result<std::optional<prescription::Prescription>> storedCones(const Session& ses
 
 Result<FileOutcome> parametrizeFile(Session& session, const WholeFileOptions& options) {
   FileOutcome out;
-  const SolveOptions solve = withSharedCells(session, options.solve);
-  const bool storesAll = solve.keepsGoing || options.write.allowUncertified;
-  const bool isGridAsked = solve.grid.isAsked() || solve.choosesCells;
+  const std::vector<SolveOptions> byMesh = withSharedCells(session, options.solve);
+  const bool storesAll = options.solve.keepsGoing || options.write.allowUncertified;
+  const bool isGridAsked = options.solve.grid.isAsked() || options.solve.choosesCells;
   WriteOptions write = options.write;
   write.allowUncertified = storesAll;
   FileMaps maps(write);
@@ -82,7 +99,7 @@ Result<FileOutcome> parametrizeFile(Session& session, const WholeFileOptions& op
     MeshOutcome one;
     one.mesh = mesh;
     Status done = isOnly ? Status(Done{}) : session.choose(mesh);
-    if (done) done = solveOne(session, options, solve);
+    if (done) done = solveOne(session, options, byMesh[static_cast<std::size_t>(mesh)]);
     if (!done && done.error().code == ErrorCode::kCancelled) return done.error();
     if (done) {
       one.isCertified = session.isCertified();

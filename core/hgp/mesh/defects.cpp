@@ -171,7 +171,7 @@ bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (std::size_t n = 0; n < 3; ++n) {
     u[n] = b[n] - a[n];
     v[n] = c[n] - a[n];
-    scale = std::max({scale, std::abs(u[n]), std::abs(v[n])});
+    scale = std::max(scale, std::max(std::abs(u[n]), std::abs(v[n])));
   }
   if (!(scale > 0.0) || !std::isfinite(scale)) return scale == 0.0;
   // Scaled by a power of two, which is exact, if fourth powers would be out of range.
@@ -184,7 +184,8 @@ bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto dot = [](const Vec3& p, const Vec3& q) {
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
   };
-  const double longest = std::max({dot(u, u), dot(v, v), dot(u, u) + dot(v, v) - 2 * dot(u, v)});
+  const double uu = dot(u, u), vv = dot(v, v);
+  const double longest = std::max(std::max(uu, vv), uu + vv - 2 * dot(u, v));
   return std::sqrt(dot(cross, cross)) <= kZeroHeight * longest;
 }
 

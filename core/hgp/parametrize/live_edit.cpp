@@ -185,7 +185,9 @@ Result<LiveFrame> LiveEdit::moveTo(VertexId v) {
   frame.spec = s.specAt(v);
   s.mapAt(v, frame);
   if (frame.map.uv.empty()) return frame;
-  frame.certificate = s.verifier.certify(toSpec(frame.spec), frame.map);
+  CertifyOptions verdict;
+  verdict.measuresDistortion = false;
+  frame.certificate = s.verifier.certify(toSpec(frame.spec), frame.map, verdict);
   frame.state = frame.certificate.isCertified ? LiveState::kCertified : LiveState::kFails;
   frame.wantsAnchor = frame.certificate.isCertified && s.cut->path().size() + 1 >= live::kReach;
   if (frame.certificate.isCertified) {

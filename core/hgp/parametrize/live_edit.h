@@ -23,7 +23,7 @@ struct LiveFrame {
   PerVertex<double> u;           ///< log conformal factor
   UvMap map;                     ///< empty for kHeat; the cut is extended along the path
   std::vector<VertexId> copyOf;  ///< uv index → vertex
-  Certificate certificate;       ///< of `map`; empty for kHeat
+  Certificate certificate;       ///< of `map`, without its distortion; empty for kHeat
   bool wantsAnchor = false;      ///< beginHere() would give a map (kHeat), or allow to go farther
 };
 

@@ -59,9 +59,23 @@ struct AngleFacts {
   long long turnSum = 0;  ///< Σ(q − k) + Σl of what was measured [BCW17 Lemma 6.2]
 };
 
+/// An angle in [0, π] as a vector (r cos, r sin), r in [1, √2]: sums of such angles need one arc tangent.
+using AngleVector = Vec2;
+
+/// A sum of angles in [0, π], with an absolute error of a few 1e-16 per angle.
+class AngleSum {
+ public:
+  void add(const AngleVector& angle);
+  double radians() const;
+
+ private:
+  Vec2 direction_{1.0, 0.0};  ///< of the sum up to full turns, which are counted
+  int turns_ = 0;
+};
+
 /// Interior angle at the tail of every halfedge, in [0, π], of the metric induced by uv (a reversed
 /// triangle has the angles of its mirror image). Absolute error a few 1e-16 at any scale.
-PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv);
+PerHalfedge<AngleVector> computeUvAngles(const TriMesh& mesh, const CornerUv& uv);
 
 /// The prescribed angles.
 struct AskedAngles {
@@ -74,6 +88,6 @@ struct AskedAngles {
 };
 
 AngleFacts measureAngles(const TriMesh& mesh, const Topology& topology, const AskedAngles& asked,
-                         const PerHalfedge<double>& angle, const AngleRule& rule);
+                         const PerHalfedge<AngleVector>& angle, const AngleRule& rule);
 
 }  // namespace hgp

@@ -138,10 +138,11 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
   certificate.thresholds = {rule.tolerance, rule.rounding / scale, rule.largestRounding,
                             unitRoundoff(options.precision)};
   SeamTurns turns;
-  PerHalfedge<double> angles;
+  PerHalfedge<AngleVector> angles;
   const auto measureTriangles = [&] {
     certificate.orientation = measureOrientation(mesh, asked.angles.isCone, uv);
-    certificate.distortion = measureDistortion(mesh, certificate.orientation, measured);
+    certificate.distortion = (options.measuresDistortion ? measureDistortion : measureAreaSpan)(
+        mesh, certificate.orientation, measured);
   };
   const auto measureEdges = [&] {
     certificate.seams = measureSeams(mesh, q, measured, rule);

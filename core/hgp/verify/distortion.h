@@ -26,4 +26,8 @@ struct DistortionFacts {
 DistortionFacts measureDistortion(const TriMesh& mesh, const OrientationFacts& orientation,
                                   const CornerUv& uv);
 
+/// The same, but only triangleCount and what a verdict needs: areaSpan, smallestToMeanArea and smallestArea.
+DistortionFacts measureAreaSpan(const TriMesh& mesh, const OrientationFacts& orientation,
+                                const CornerUv& uv);
+
 }  // namespace hgp

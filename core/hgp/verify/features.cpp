@@ -9,7 +9,7 @@ namespace {
 class FeatureMeter {
  public:
   FeatureMeter(const TriMesh& mesh, const std::vector<EdgeId>& features, const CornerUv& uv,
-               const PerHalfedge<double>& angle)
+               const PerHalfedge<AngleVector>& angle)
       : mesh_(mesh),
         uv_(uv),
         angle_(angle),
@@ -64,15 +64,15 @@ class FeatureMeter {
 
   /// Whether the sector that begins with the outgoing feature halfedge has another angle than π.
   bool isBent(HalfedgeId first) const {
-    double sum = 0.0;
+    AngleSum sum;
     for (HalfedgeId h = first;;) {
-      sum += angle_[h];
+      sum.add(angle_[h]);
       const HalfedgeId into = TriMesh::previous(h);
       if (mesh_.isBoundary(into) || isFeature_[mesh_.edge(into)]) break;
       h = mesh_.twin(into);
       if (h == first) break;
     }
-    return std::lround(sum / (0.5 * std::numbers::pi)) != 2;
+    return std::lround(sum.radians() / (0.5 * std::numbers::pi)) != 2;
   }
 
   void findEnds() {
@@ -109,7 +109,7 @@ class FeatureMeter {
 
   const TriMesh& mesh_;
   const CornerUv& uv_;
-  const PerHalfedge<double>& angle_;
+  const PerHalfedge<AngleVector>& angle_;
   PerEdge<char> isFeature_;
   PerVertex<int> degree_;
   PerVertex<char> isEnd_;
@@ -120,7 +120,7 @@ class FeatureMeter {
 }  // namespace
 
 FeatureFacts measureFeatures(const TriMesh& mesh, const std::vector<EdgeId>& features,
-                             const CornerUv& uv, const PerHalfedge<double>& angle) {
+                             const CornerUv& uv, const PerHalfedge<AngleVector>& angle) {
   if (features.empty()) return {};
   return FeatureMeter(mesh, features, uv, angle).run();
 }

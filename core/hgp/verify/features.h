@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "hgp/verify/orientation.h"
+#include "hgp/verify/angles.h"
 
 namespace hgp {
 
@@ -24,6 +24,6 @@ struct FeatureFacts {
 /// @param uv        as stored
 /// @param angle     computeUvAngles of it
 FeatureFacts measureFeatures(const TriMesh& mesh, const std::vector<EdgeId>& features,
-                             const CornerUv& uv, const PerHalfedge<double>& angle);
+                             const CornerUv& uv, const PerHalfedge<AngleVector>& angle);
 
 }  // namespace hgp

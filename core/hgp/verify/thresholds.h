@@ -28,6 +28,8 @@ struct CertifyOptions {
   double gridStep = 0.0;
   bool isAnyConeAllowed = false;  ///< unlisted vertices may have any k ≥ 1 (asked = measured)
   int placesPerReason = 20;       ///< how many of the worst places a reason names
+  bool measuresDistortion =
+      true;  ///< false: of it only what the verdict depends on (measureAreaSpan)
 };
 
 /// The bounds that a verdict was made with.

@@ -14,6 +14,7 @@
 #include "hgp/verify/needed_tolerance.h"
 #include "hgp/verify/verdict.h"
 #include "support/maps.h"
+#include "support/random.h"
 #include "support/shapes.h"
 
 namespace hgp {
@@ -693,6 +694,35 @@ TEST(Certificate, AnglesHaveNoSlackThatTheirSeamsDoNotHave) {
   EXPECT_EQ(onlyReason(c).rule, Rule::kRange) << text(c);
 }
 
+TEST(Distortion, AVerdictWithoutItIsTheSame) {
+  const Fan f = quarterFan(3);
+  CertifyOptions brief;
+  brief.measuresDistortion = false;
+  const auto text = [](const Certificate& c) {
+    std::string out;
+    for (const Reason& reason : c.reasons) out += reason.message;
+    return out;
+  };
+  // As it is, with a triangle nearly crushed, one crushed and one reversed.
+  for (double part : {1.0, 1e-9, 1e-17, 1e-200, 0.0, -1.0}) {
+    UvMap map = f.map;
+    const auto [a, b, c] = map.cornerUv[0];
+    const auto uv = [&](int n) -> Vec2& { return map.uv[static_cast<std::size_t>(n)]; };
+    for (std::size_t k = 0; k < 2; ++k) uv(c)[k] = uv(a)[k] + part * (uv(c)[k] - uv(a)[k]);
+    const Certificate whole = certify(f.mesh, regular(4), map);
+    const Certificate verdict = certify(f.mesh, regular(4), map, brief);
+    EXPECT_EQ(verdict.isCertified, whole.isCertified) << part;
+    EXPECT_EQ(verdict.isUsable, whole.isUsable) << part;
+    EXPECT_EQ(text(verdict), text(whole)) << part;
+    EXPECT_EQ(verdict.distortion.triangleCount, whole.distortion.triangleCount);
+    EXPECT_EQ(verdict.distortion.areaSpan, whole.distortion.areaSpan);
+    EXPECT_EQ(verdict.distortion.smallestToMeanArea, whole.distortion.smallestToMeanArea);
+    EXPECT_EQ(verdict.distortion.smallestArea, whole.distortion.smallestArea);
+    EXPECT_EQ(verdict.distortion.maxMu, 0.0);
+    EXPECT_GT(whole.distortion.maxMu, 0.0);
+  }
+}
+
 TEST(Angles, AreMeasuredInRadiansWhateverTheOrder) {
   // measureAngles alone: the seam rule sees such maps first.
   const Fan f = quarterFan(3);
@@ -713,17 +743,63 @@ TEST(Angles, AreMeasuredInRadiansWhateverTheOrder) {
       for (HalfedgeId h : f.mesh.halfedges())
         uv[h] = f.map.uv[static_cast<std::size_t>(
             f.map.cornerUv[static_cast<std::size_t>(h.i / 3)][static_cast<std::size_t>(h.i % 3)])];
-      PerHalfedge<double> angle = computeUvAngles(f.mesh, uv);
-      angle[f.mesh.outgoing(VertexId(0))] += off;
+      PerHalfedge<AngleVector> angle = computeUvAngles(f.mesh, uv);
+      const auto turn = [off](AngleVector& a) {
+        a = {a[0] * std::cos(off) - a[1] * std::sin(off),
+             a[0] * std::sin(off) + a[1] * std::cos(off)};
+      };
+      turn(angle[f.mesh.outgoing(VertexId(0))]);
       const AngleFacts facts = measureAngles(f.mesh, topology, asked, angle, rule);
       EXPECT_EQ(facts.wrong.empty(), std::fabs(off) < kTolerance) << q << " " << off;
       EXPECT_NEAR(facts.worstDistance, std::fabs(off), 1e-14);
       // The same at the boundary, where the loop's turning carries it.
       angle = computeUvAngles(f.mesh, uv);
-      angle[topology.loops[0].halfedges[1]] += off;
+      turn(angle[topology.loops[0].halfedges[1]]);
       const AngleFacts turned = measureAngles(f.mesh, topology, asked, angle, rule);
       EXPECT_EQ(turned.turnings[0].isWrong, std::fabs(off) >= kTolerance) << q << " " << off;
     }
+  }
+}
+
+TEST(Angles, AddUpWhateverTheirNumberAndSize) {
+  const auto vectorOf = [](double angle, double length) {
+    return AngleVector{length * std::cos(angle), std::max(0.0, length * std::sin(angle))};
+  };
+  std::mt19937 random(7);
+  const auto share = [&] { return 0.5 + 0.5 * test::randomReal(random); };
+  for (int n = 0; n < 2000; ++n) {
+    AngleSum sum;
+    long double expected = 0.0;
+    const int count = test::randomBelow(random, n % 10 == 0 ? 3000 : 12);
+    for (int i = 0; i < count; ++i) {
+      const double angle = kPi * std::pow(share(), n % 3 + 1);
+      sum.add(vectorOf(angle, 1.0 + 0.4 * share()));
+      expected += angle;
+    }
+    const auto rounded = static_cast<double>(expected);
+    EXPECT_NEAR(sum.radians(), rounded, 4e-16 * (count + rounded)) << count;
+  }
+}
+
+TEST(Angles, OfHalfAndFullTurnsAreCountedOnce) {
+  const AngleVector zero{1.0, 0.0}, right{0.0, 1.0}, half{-1.0, 0.0};
+  using Angles = std::vector<AngleVector>;
+  const std::vector<std::pair<Angles, double>> cases = {
+      {{}, 0.0},
+      {{zero, zero}, 0.0},
+      {{half}, kPi},
+      {{half, zero, zero}, kPi},
+      {{zero, half, half}, 2 * kPi},
+      {{half, half, half}, 3 * kPi},
+      {{half, right, right}, 2 * kPi},
+      {{right, right, half, zero}, 2 * kPi},
+      {{right, half, right}, 2 * kPi},
+      {{right, right, right, right, right}, 2.5 * kPi},
+      {{half, half, half, half, right}, 4.5 * kPi}};
+  for (const auto& [angles, expected] : cases) {
+    AngleSum sum;
+    for (const AngleVector& angle : angles) sum.add(angle);
+    EXPECT_NEAR(sum.radians(), expected, 1e-15) << angles.size();
   }
 }
 

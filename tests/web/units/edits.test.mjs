@@ -8,6 +8,7 @@ import {
   clearCones,
   moveCone,
   placeOrSelect,
+  setPrescription,
 } from '../../../web/src/actions/edit_cones.ts';
 import { cancel, runJob } from '../../../web/src/actions/job.ts';
 import { redo, undo } from '../../../web/src/actions/undo.ts';
@@ -73,6 +74,17 @@ test('dragging a cone over many vertices is undone at once', () => {
   moveCone(app, 0, 20, 'another drag');
   doc.history = doc.history.undo();
   assert.deepEqual(positionsOf(app), [path.at(-1)]);
+});
+
+test('a cone that is moved leaves the copy of the vertex at which it was', () => {
+  const app = opened();
+  const { doc } = app;
+  placeOrSelect(app, 0);
+  const [{ k }] = doc.prescription.cones;
+  const split = { ...doc.prescription, cones: [{ vertex: 0, k, triangle: 3 }] };
+  assert.ok(setPrescription(app, split, 'add cone: 0'));
+  moveCone(app, 0, 5, 'a drag');
+  assert.deepEqual(doc.prescription.cones, [{ vertex: 5, k }]);
 });
 
 test('undo leads back to cones that Run chooses, and to none that were asked for', async () => {

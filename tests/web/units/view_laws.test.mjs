@@ -700,6 +700,34 @@ test('a place that is looked at is in the middle and towards the viewer', () => 
   }
 });
 
+test('a place that is shown leaves the view where it is if it is well in it, and is else in the middle', () => {
+  const { camera, orbit } = orbitIn(800, 600);
+  orbit.frame(shape());
+  const target = orbit.controls.target.clone();
+  const distance = camera.position.distanceTo(target);
+  for (const v of [0, 1, 2, 3, 4, 5, 6, 7]) {
+    const [point, normal] = [mesh.vertices[v], mesh.vertices[v]].map((x) => new Vector3(...x));
+    orbit.lookAt(point, normal.normalize(), undefined, false);
+    camera.updateMatrixWorld(true);
+    const at = point.clone().project(camera);
+    assert.ok(Math.hypot(at.x * camera.aspect, at.y) < 0.81, `vertex ${v} at ${at.x}, ${at.y}`);
+    near(orbit.controls.target.distanceTo(target), 0, 'the model stays in the middle', 1e-9);
+    near(camera.position.distanceTo(target) / distance, 1, 'as far away', 1e-9);
+    assert.ok(normal.dot(camera.position.clone().sub(point).normalize()) > 0.1, `vertex ${v}`);
+  }
+  // Where it is hidden on all ways that leave the view alone, and where it is outside, it comes into the middle.
+  const [point, normal] = [new Vector3(...mesh.vertices[0]), new Vector3(...mesh.vertices[0])];
+  for (const [far, isHidden] of [
+    [point, () => true],
+    [point.clone().multiplyScalar(5), undefined],
+  ]) {
+    // prettier-ignore
+    orbit.lookAt(far, normal, isHidden, false);
+    near(orbit.controls.target.distanceTo(far), 0, 'in the middle', 1e-6);
+    orbit.frame(shape());
+  }
+});
+
 test('a place that is hidden is looked at from a side where it is seen, if there is one', () => {
   const { camera, orbit } = orbitIn(800, 600);
   orbit.frame(shape());

@@ -3,7 +3,7 @@
 
 import type { Drag, DragFrame, SupersededFrame, UvMap } from 'hgp';
 import { beforeFirst, liveMapOf } from '../model/live';
-import { samePrescription, type Prescription } from '../model/prescription';
+import { samePrescription, type Cone, type Prescription } from '../model/prescription';
 import { requestOf } from '../model/request';
 import type { Model, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
@@ -50,10 +50,13 @@ function holdsIn(app: App): Holds {
   return holds;
 }
 
-/** The prescription with a cone at another vertex. */
-function withConeAt(prescription: Prescription, cone: number, vertex: number): Prescription {
-  if (prescription.cones[cone]?.vertex === vertex) return prescription;
-  const cones = prescription.cones.map((one, i) => (i === cone ? { ...one, vertex } : one));
+type Place = Omit<Cone, 'k'>;
+
+/** The prescription with a cone at another vertex, or at another copy of its vertex. */
+function withConeAt(prescription: Prescription, cone: number, place: Place): Prescription {
+  const { vertex, triangle } = prescription.cones[cone] ?? {};
+  if (vertex === place.vertex && triangle === (place.triangle ?? triangle)) return prescription;
+  const cones = prescription.cones.map((one, i) => (i === cone ? { ...place, k: one.k } : one));
   return { ...prescription, cones };
 }
 
@@ -63,9 +66,8 @@ function baseOf({ doc }: App, prescription: Prescription, cone: number): Solutio
   if (!usableModel || isBusy || solve.frames === 'file') return undefined;
   const isHere = (one: Solution): boolean => samePrescription(one.prescription, prescription);
   const isBeside = (one: Solution): boolean => {
-    const { vertex } = one.prescription.cones[cone] ?? {};
-    if (vertex === undefined) return false;
-    return samePrescription(one.prescription, withConeAt(prescription, cone, vertex));
+    const place = one.prescription.cones[cone];
+    return place && samePrescription(one.prescription, withConeAt(prescription, cone, place));
   };
   const isUsable = (one: Solution): boolean =>
     one.surfaceId === usableModel.surface.id &&
@@ -104,7 +106,7 @@ export async function beginLive(app: App, cone: number): Promise<void> {
 async function follow(app: App, hold: Hold): Promise<void> {
   if (hold.isCancelled) return;
   const { cone, pressed } = hold;
-  const here = withConeAt(app.doc.prescription, cone, pressed);
+  const here = withConeAt(app.doc.prescription, cone, { vertex: pressed });
   const base = baseOf(app, here, cone);
   const vertex = base?.prescription.cones[cone]?.vertex;
   if (base && vertex !== undefined) {
@@ -186,7 +188,7 @@ async function store(app: App, going: Going, cone: number, step: string): Promis
   const { model, settings } = doc;
   if (going.wanted === going.base.prescription.cones[cone]?.vertex) return;
   // The hand may have taken the cone further by now.
-  const prescription = withConeAt(doc.prescription, cone, going.wanted);
+  const prescription = withConeAt(doc.prescription, cone, { vertex: going.wanted });
   const last = await going.latest.catch(() => undefined);
   const isThere = last?.state === 'certified' && last.vertex === going.wanted;
   if (!isThere || !model || !doc.live) return;

@@ -90,7 +90,8 @@ export function moveCone(app: App, index: number, picked: number, drag: string):
   const vertex = surface?.representative[picked] ?? -1;
   if (!cone || cone.vertex === vertex || vertex < 0 || surface!.isBoundary[vertex]) return;
   if (cones.some((other) => other.vertex === vertex)) return;
-  const changed = cones.map((one, i) => (i === index ? { ...one, vertex } : one));
+  const moved = { vertex, k: cone.k }; // not in the triangle of a copy of the vertex before
+  const changed = cones.map((one, i) => (i === index ? moved : one));
   setCones(app, changed, `move cone: ${drag}`);
 }
 

@@ -79,7 +79,7 @@ export function frame(app: App): void {
   views?.model.draw();
 }
 
-/** Outlines places in both views and centres a vertex, by default of the first. */
+/** Outlines places in both views and shows a vertex, by default of the first. */
 export function showPlaces({ doc, ui, views }: App, where: Where[], at?: number): void {
   const { model, displayed } = doc;
   if (!model) return;
@@ -87,7 +87,7 @@ export function showPlaces({ doc, ui, views }: App, where: Where[], at?: number)
   views?.model.highlight(targets.triangles, targets.edges);
   views?.uv.highlight(targets.triangles, targets.uvEdges);
   const first = at ?? targets.first;
-  if (first >= 0) views?.model.lookAt(first);
+  if (first >= 0) views?.model.lookAt(first, false);
   const isPlain = where.every(({ kind }) => kind === 'triangle');
   const what = isPlain ? 'triangles are outlined' : 'places are shown';
   doc.say(

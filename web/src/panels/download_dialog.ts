@@ -27,7 +27,7 @@ const scales: [Output['scale'], string][] = [
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 const isChecked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
-/** glTF: whether the textures of the file use the new coordinates or keep the old ones. */
+/** glTF: whether the textures of the file use the new coordinates or keep the old ones, or which set is replaced. */
 function setChooser(app: AppView, solution: Solution): TemplateResult | typeof nothing {
   const { info } = app.doc.model!;
   const sets = info.surfaces[info.surface]?.uvSets ?? [];
@@ -40,12 +40,14 @@ function setChooser(app: AppView, solution: Solution): TemplateResult | typeof n
   };
   const choice = (value: string, text: string): TemplateResult =>
     html`<option value=${value} ?selected=${chosen === value}>${text}</option>`;
+  const replacing = sets.map((n) => choice(String(n), `replace TEXCOORD_${n} by the new ones`));
+  const usual = textureFate(solution)
+    ? [choice('keep', 'keep the old coordinates'), choice('use', 'use the new coordinates; the old ones are kept')] // prettier-ignore
+    : choice(chosen === 'use' ? 'use' : 'keep', 'stay; the new ones are another set');
   return html`<label
-    >The file’s own textures
+    >${textureFate(solution) ? 'The file’s own textures' : 'The old coordinates'}
     <select id="uv-set" @change=${set}>
-      ${choice('keep', 'keep the old coordinates')}
-      ${choice('use', 'use the new coordinates; the old ones are kept')}
-      ${sets.map((n) => choice(String(n), `replace TEXCOORD_${n} by the new ones`))}
+      ${usual}${replacing}
     </select>
   </label>`;
 }

@@ -23,6 +23,12 @@ const stateTexts: Record<MeshState, string> = {
   waiting: 'not run yet',
 };
 
+const stateIcons: Partial<Record<MeshState, Parameters<typeof icon>[0]>> = {
+  certified: 'check',
+  'not-certified': 'cross',
+  unusable: 'warning',
+};
+
 class MeshStrip extends Panel {
   readonly #drawn = new WeakMap<HTMLCanvasElement, Uint8ClampedArray>();
 
@@ -55,7 +61,7 @@ class MeshStrip extends Panel {
                   ></canvas>`
                 : nothing
             }
-            ${state === 'certified' ? icon('check') : state === 'not-certified' || state === 'unusable' ? icon('cross') : nothing}
+            ${stateIcons[state] ? icon(stateIcons[state]) : nothing}
             <span>${name || `Mesh ${index}`}</span>
             <span class="visually-hidden">, ${stateTexts[state]}</span>
           </button>`;

@@ -104,7 +104,7 @@ export function sizeRows(app: AppView, solution: Solution): TemplateResult {
       <div
         title="How much larger the pattern is at the 95 % mark of the surface than at the 5 % mark"
       >
-        <dt>Size varies</dt>
+        <dt>Size varies <small>(5–95 %)</small></dt>
         ${withBefore('size', sizes.spread, before?.spread, timesText)}
       </div>
       ${overlapRow(app, solution)}

@@ -15,6 +15,7 @@ export const iconPaths = {
   wire: 'M2 13 8 2.5 14 13zM5 7.8h6M8 13 5 7.8M8 13l3-5.2',
   seams: 'M3 13c2-4 0-6 3-6s2 3 4 3 1-5 3-7',
   cross: 'M4 4l8 8M12 4l-8 8',
+  warning: 'M8 2 14.500 13.500h-13zM8 6.500v3.500M8 11.800h.1',
   more: 'M3 6l5 5 5-5',
   check: 'M3 8.5 6.5 12 13 4.5',
   folder: 'M2 13V3h4l1.5 2H14v8z',

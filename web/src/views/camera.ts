@@ -6,6 +6,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 const usual = 32; // field of view in degrees
 const parallel = 1; // so narrow that parallel lines look parallel
 const glideTime = 150; // milliseconds
+const wellInView = 0.8; // of the way from the centre of the view to its nearest edge
 
 /** Three quarters from the front, which is +Z in glTF, and from above. */
 const startFrom = new Vector3(0.5, 0.38, 0.78).normalize();
@@ -163,19 +164,38 @@ export class Orbit {
   /**
    * Centres a point, animated unless reduced motion is preferred; moves around the model if the point faces away or is
    * hidden, where it is not hidden from everywhere.
+   * @param isCentred  false: the centre of the view stays where the point is well in view without that
    */
   lookAt(
     point: Vector3,
     normal: Vector3,
     isHidden: (back: Vector3) => boolean = () => false,
+    isCentred = true,
   ): void {
+    const { target } = this.controls;
+    const sides = sidesOf(normal, this.#camera.position.clone().sub(target));
+    const toCamera = (side: Vector3): Vector3 => target.clone().add(side).sub(point);
+    const around = (side: Vector3): boolean =>
+      this.#isWellInView(toCamera(side), side) && !isHidden(toCamera(side));
+    const still = isCentred ? undefined : sides.find(around);
+    const wanted = still ?? sides.find((side) => !isHidden(side)) ?? sides[0];
+    this.#glideTo(still ? target.clone() : point, wanted);
+  }
+
+  /** Whether a point is well inside the view of a camera that is `toCamera` from it and looks against `side`. */
+  #isWellInView(toCamera: Vector3, side: Vector3): boolean {
+    const depth = toCamera.dot(side) / side.length();
+    const aside = Math.sqrt(Math.max(0, toCamera.lengthSq() - depth * depth));
+    const high = Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
+    return aside < wellInView * depth * high * Math.min(1, this.#camera.aspect);
+  }
+
+  /** Moves the centre of the view to `to`, and the camera to `back` from there. */
+  #glideTo(to: Vector3, back: Vector3): void {
     const { position } = this.#camera;
     const { target } = this.controls;
-    const back = position.clone().sub(target);
-    const sides = sidesOf(normal, back);
-    const wanted = sides.find((side) => !isHidden(side)) ?? sides[0];
-    const aim = point.clone().sub(target);
-    const move = point.clone().add(wanted).sub(position);
+    const aim = to.clone().sub(target);
+    const move = to.clone().add(back).sub(position);
     const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
     const begin = performance.now();
     let done = 0;

@@ -335,11 +335,11 @@ export class ModelView extends CanvasView {
     return { x: ((at.x + 1) / 2) * clientWidth, y: ((1 - at.y) / 2) * clientHeight };
   }
 
-  /** Centres a vertex, from a side from which it is seen. */
-  lookAt(vertex: number): void {
+  /** Centres a vertex, or only brings it into view, from a side from which it is seen. */
+  lookAt(vertex: number, isCentred = true): void {
     if (!this.#surface) return;
     const [normal, point] = [new Vector3().fromArray(this.#surface.normals, 3 * vertex), this.point(vertex)]; // prettier-ignore
-    this.orbit.lookAt(point, normal, hiding(point, (ray) => this.#onSurface(ray)?.distance)); // prettier-ignore
+    this.orbit.lookAt(point, normal, hiding(point, (ray) => this.#onSurface(ray)?.distance), isCentred); // prettier-ignore
   }
 
   /** Centres the point under a pointer. */

@@ -148,19 +148,23 @@ test('automatic cells have one size in a scene, as its nodes show the meshes, or
   for (const cells of ['auto', '3000']) {
     const done = run('param', 'scene.glb', '--cells', cells, '-o', 'scene.out.glb', '--force', '--json', 'scene.json'); // prettier-ignore
     assert.equal(done.code, 0, done.err);
-    const grids = JSON.parse(read('scene.json')).meshes.map(({ document: { components, cones } }) => ({ ...components[0].grid, cones: cones.cones.length })); // prettier-ignore
+    const grids = JSON.parse(read('scene.json')).meshes.map(({ document: { components } }) => components[0].grid); // prettier-ignore
     const areas = await areasOfGlb('scene.out.glb');
     const cell = areas.map(({ inSpace, inUv }, n) => scales[n] * Math.sqrt(inSpace / inUv));
     assert.ok(grids.every(({ aligned }) => aligned));
     const parts = cell.map((length) => Math.log2(cell[2] / length));
-    for (const part of parts)
+    // On the smallest of 3000 cells in all there are so few that their size is not near that of the grid.
+    for (const part of cells === 'auto' ? parts : parts.slice(0, 4))
       assert.ok(Math.abs(part - Math.round(part)) < 0.3 && part > -0.3, `${cells}: ${parts}`);
-    // The others have room for cells of the same size; the smallest has not.
-    assert.deepEqual(parts.slice(0, 4).map(Math.round).map(Math.abs), [0, 0, 0, 0], `${parts}`);
-    assert.ok(parts[4] > 1, `${parts}`);
-    if (cells !== 'auto') continue;
-    const total = areas[4].inUv;
-    assert.ok(total > 20 * grids[4].cones, `${total} cells for ${grids[4].cones} cones`);
+    if (cells === 'auto') {
+      for (const [n, { inUv }] of areas.entries())
+        assert.ok(inUv > 150 && (parts[n] < 0.5 || inUv < 1100), `${n}: ${inUv} cells, ${parts}`);
+      assert.ok(parts[4] > 3 && parts[0] > 1 && Math.abs(parts[1] - parts[3]) < 0.3, `${parts}`);
+    } else {
+      // The others have room for cells of the same size; the smallest has not.
+      assert.deepEqual(parts.slice(0, 4).map(Math.round).map(Math.abs), [0, 0, 0, 0], `${parts}`);
+      assert.ok(parts[4] > 1, `${parts}`);
+    }
   }
 });
 

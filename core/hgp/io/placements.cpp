@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
@@ -11,9 +12,9 @@ double scaleOf(const Placements& placements) {
   double largest = 0.0;
   for (const std::array<double, 16>& m : placements.matrices) {
     const Vec3 x{m[0], m[1], m[2]}, y{m[4], m[5], m[6]}, z{m[8], m[9], m[10]};
-    largest = std::max(largest, std::cbrt(std::fabs(dot(x, cross(y, z)))));
+    largest = std::max(largest, std::fabs(dot(x, cross(y, z))));
   }
-  return largest > 0.0 ? largest : 1.0;
+  return largest > 0.0 ? portable::exp(portable::log(largest) / 3.0) : 1.0;
 }
 
 }  // namespace hgp::io

@@ -13,6 +13,8 @@ namespace hgp::api {
 namespace {
 
 constexpr double kPerCone = 40.0;
+/// On one of several meshes, whose automatic cones are not known yet: with fewer they are crowded.
+constexpr double kFewestOfMany = 200.0;
 constexpr double kMaxAutomatic = 1e6;
 /// A second run is worth its time up to this many triangles.
 constexpr std::size_t kRunTwice = 100'000;
@@ -45,7 +47,7 @@ double automaticCells(const Model& model, const Request& request) {
   if (surface < model.cellLengths.size()) {
     const double length = model.cellLengths[surface];
     cells = area / (length * length);
-    while (cells > 0.0 && cells < needed) cells *= 4.0;
+    while (cells > 0.0 && cells < std::max(needed, kFewestOfMany)) cells *= 4.0;
   } else {
     const double across = kCellsAcross / diagonal(finiteBoxOf(model.mesh.positions));
     cells = std::max({area * across * across, kFewestCells, needed});

@@ -9,7 +9,7 @@ namespace hgp::api {
 
 /// 14 cells along the diagonal of the model, at least 800, and at least 40 per prescribed cone: fewer cells fail more
 /// often and cause more distortion. With several meshes in the file these have one edge length (cell_lengths.h), which is
-/// halved for a mesh until it has 40 cells per cone.
+/// halved for a mesh until it has 200 cells, and 40 per prescribed cone.
 double automaticCells(const Model& model, const Request& request);
 
 }  // namespace hgp::api

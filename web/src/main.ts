@@ -135,13 +135,13 @@ function catchTheRest(): void {
 
 async function start(): Promise<void> {
   catchTheRest();
+  listenToDrops(app); // at once: the browser would leave the page for the file
   const page = document.createElement('hgp-page') as Panel;
   page.app = app;
   document.getElementById('page')!.replaceChildren(page); // instead of the first screen
   effect(() => void (document.body.dataset.state = doc.stateName));
   await page.updateComplete;
   const keyboard = new Keyboard(app);
-  listenToDrops(app);
   // The page is on the screen; what draws and what solves are loaded at the same time.
   const [drawing, client] = await Promise.allSettled([import('./views/drawing'), createSolver()]);
   let hasViews = drawing.status === 'fulfilled';

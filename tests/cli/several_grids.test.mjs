@@ -168,6 +168,20 @@ test('automatic cells have one size in a scene, as its nodes show the meshes, or
   }
 });
 
+test('nodes that scale a mesh beyond all numbers do not change its cells', async () => {
+  for (const scale of [1e120, 1e-120, 0]) {
+    const document = await new NodeIO().readBinary(toGlb([cubeMesh(4), torusMesh(24, 16)]));
+    document.getRoot().listNodes()[1].setScale([scale, scale, scale]);
+    put('beyond.glb', await new NodeIO().writeBinary(document));
+    for (const cells of ['auto', '900']) {
+      const done = run('param', 'beyond.glb', '--cells', cells, '-o', 'beyond.out.glb', '--force', '--json', 'beyond.json'); // prettier-ignore
+      assert.equal(done.code, 0, done.err);
+      for (const { inUv } of await areasOfGlb('beyond.out.glb'))
+        assert.ok(inUv > 150 && inUv < 1500, `${cells}, scale ${scale}: ${inUv} cells`);
+    }
+  }
+});
+
 test('a small piece without integers has cells of the size of the others', () => {
   const { vertices, triangles } = cubeMesh(4);
   const needle = [[9, 0, 0], [9.2, 0, 0], [9.1, 0.0001, 0]]; // prettier-ignore

@@ -14,7 +14,7 @@ struct Placements {
   std::vector<std::array<double, 16>> matrices = {};
 };
 
-/// The factor of lengths under the matrix that shows a surface largest; 1 without one.
+/// The factor of lengths under the matrix that shows a surface largest; 1 without one, and beyond the range of doubles.
 double scaleOf(const Placements& placements);
 
 }  // namespace hgp::io

@@ -11,7 +11,10 @@ namespace {
 
 double areaOf(const MeshData& mesh) {
   double area = 0.0;
+  const auto count = static_cast<int>(mesh.positions.size());
   for (const auto& t : mesh.triangles) {
+    // Defects are looked for later.
+    if (std::any_of(t.begin(), t.end(), [&](int v) { return v < 0 || v >= count; })) continue;
     const double of =
         triangleArea(mesh.positions[at(t[0])], mesh.positions[at(t[1])], mesh.positions[at(t[2])]);
     if (std::isfinite(of)) area += of;

@@ -415,9 +415,25 @@ test('a file that is dropped while the solver is still on its way is opened when
     await gate;
     await route.continue();
   });
+  // Whether drops are listened to by the time that the page replaces the first screen.
+  await page.addInitScript(() => {
+    const listen = document.addEventListener.bind(document);
+    let isListening = false;
+    document.addEventListener = (kind, ...rest) => {
+      isListening ||= kind === 'drop';
+      listen(kind, ...rest);
+    };
+    const observer = new MutationObserver(() => {
+      if (!document.querySelector('hgp-page')) return;
+      globalThis.listensFirst = isListening;
+      observer.disconnect();
+    });
+    observer.observe(document, { childList: true, subtree: true });
+  });
   await page.reload({ waitUntil: 'commit' });
   // The first screen is there before the script that takes drops.
   await page.waitForFunction(() => customElements.get('hgp-status-bar'));
+  assert.equal(await page.evaluate(() => globalThis.listensFirst), true);
   await drop(it, { 'early.obj': toObj(cubeMesh(3)) });
   await statusSays(it, /still starting; early\.obj is opened then/);
   assert.equal(await page.getAttribute('body', 'data-state'), 'starting');

@@ -43,7 +43,7 @@ function setChooser(app: AppView, solution: Solution): TemplateResult | typeof n
   const replacing = sets.map((n) => choice(String(n), `replace TEXCOORD_${n} by the new ones`));
   const usual = textureFate(solution)
     ? [choice('keep', 'keep the old coordinates'), choice('use', 'use the new coordinates; the old ones are kept')] // prettier-ignore
-    : choice(chosen === 'use' ? 'use' : 'keep', 'stay; the new ones are another set');
+    : choice(chosen === 'use' ? 'use' : 'keep', 'stay beside the new ones');
   return html`<label
     >${textureFate(solution) ? 'The file’s own textures' : 'The old coordinates'}
     <select id="uv-set" @change=${set}>

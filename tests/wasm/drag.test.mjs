@@ -16,9 +16,9 @@ const arraysOf = ({ vertices, triangles }) => ({
   triangles: new Uint32Array(triangles.flat()),
 });
 
-/** In a worker: no timer of 30 ms, which is the rest after which a drag prepares where it is, so that its path depends on time. */
+/** In a worker: no timer of 80 ms, which is the rest after which a drag prepares where it is, so that its path depends on time. */
 const restless = `const later = globalThis.setTimeout;
-  globalThis.setTimeout = (act, ms, ...args) => (ms === 30 ? 0 : later(act, ms, ...args));`;
+  globalThis.setTimeout = (act, ms, ...args) => (ms === 80 ? 0 : later(act, ms, ...args));`;
 
 /** A client with its workers and the names of the messages that they get. */
 async function watched({ rests = true } = {}) {

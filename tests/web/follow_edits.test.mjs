@@ -282,3 +282,25 @@ test('who cancels a run, stops a map or sets a limit that is too short, asks for
   await page.press('#time-limit', 'Enter');
   await state(page, 'certified');
 });
+
+test('a cone that leaps and is dropped there has its map from a run, also where maps do not follow edits', async () => {
+  const { page } = it;
+  await mapped(false);
+  const { x, y } = await framed(0);
+  const vertex = () => page.locator('tr[data-cone="0"] td').first().innerText();
+  const before = await vertex();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 110, y + 10);
+  await page.mouse.up();
+  await state(page, 'dragging', 'stale', 'renewing');
+  await state(page, 'certified');
+  await page.waitForFunction(() => document.querySelector('#map').dataset.live === '');
+  assert.notEqual(await vertex(), before);
+  assert.equal(await page.locator('#dragged').count(), 0, 'its bytes do not depend on the path');
+  assert.match(await statusText(page), /Certified/);
+
+  await turnTwo(); // another edit waits for Run
+  await settled(page);
+  await state(page, 'stale');
+});

@@ -18,7 +18,17 @@ interface Going {
   /** The vertex that was asked for last. */
   wanted: number;
   latest: Promise<DragFrame | SupersededFrame | undefined>;
+  /** When the map last came nearer to a place out of its reach, and how long that took. */
+  approached: { at: number; took: number };
 }
+
+function since(begin: number): Going['approached'] {
+  const at = performance.now();
+  return { at, took: at - begin };
+}
+
+/** Milliseconds without a movement after which a hand rests. */
+const rest = 80;
 
 /** A cone that is held, from the press of the button until the map of its place is stored or given up. */
 interface Hold {
@@ -28,6 +38,7 @@ interface Hold {
   /** Undefined before the map is prepared, and where there is none. */
   going?: Going;
   isCancelled: boolean;
+  isDropped: boolean;
   /** Called when the cone is dropped; `step` names the drag in the history. */
   release: (step: string) => void;
   released: Promise<string>;
@@ -87,7 +98,7 @@ export async function beginLive(app: App, cone: number): Promise<void> {
   const { vertex: pressed } = app.doc.prescription.cones[cone];
   let release!: Hold['release'];
   const released = new Promise<string>((resolve) => (release = resolve));
-  const hold: Hold = { cone, pressed, isCancelled: false, release, released };
+  const hold: Hold = { cone, pressed, isCancelled: false, isDropped: false, release, released };
   holds.current = hold;
   holds.open += 1;
   app.ui.holdsCone = true; // no map is made by itself: the solver is free for the frames
@@ -111,7 +122,11 @@ async function follow(app: App, hold: Hold): Promise<void> {
   const vertex = base?.prescription.cones[cone]?.vertex;
   if (base && vertex !== undefined) {
     const latest = Promise.resolve(undefined);
-    hold.going = { base, drag: base.map.beginDrag(vertex), wanted: vertex, latest };
+    const drag = base.map.beginDrag(vertex);
+    const begin = performance.now();
+    const going: Going = { base, drag, wanted: vertex, latest, approached: { at: begin, took: 0 } };
+    drag.then(() => (going.approached = since(begin))).catch(() => undefined);
+    hold.going = going;
     show(app, hold); // the hand may have moved already
     hold.going.drag.catch(() => endLive(app, hold)); // moved without its map, which Run makes
   }
@@ -136,21 +151,47 @@ function show(app: App, hold: Hold): void {
   going.latest.catch(() => undefined); // store() looks at it
 }
 
-/** Takes the map to a vertex, in several steps if it is far, until the hand has moved on. */
+/**
+ * Takes the map to a vertex, in several steps if it is far, until the hand has moved on. Once the cone is dropped a run
+ * is faster than further steps, but would not know prescribed handles, whose rotations follow the path.
+ */
 async function approach(
   app: App,
   hold: Hold,
   going: Going,
   vertex: number,
-): Promise<DragFrame | SupersededFrame | undefined> {
+): Promise<DragFrame | SupersededFrame> {
   const drag = await going.drag;
-  while (going.wanted === vertex) {
-    const frame = await drag.dragTo(vertex);
-    if (frame.state === 'superseded') return frame;
-    if (hold.going === going) app.doc.live = liveMapOf(going.base, frame, app.doc.live);
-    if (!frame.isApproaching) return frame;
+  let frame = await drag.dragTo(vertex);
+  showFrame(app, hold, going, frame);
+  if (frame.state !== 'heat' || !frame.isApproaching) return frame;
+  await turnOf(hold, going);
+  const isStepping = (): boolean => !hold.isDropped || hasHandles(app.doc.prescription);
+  while (going.wanted === vertex && isStepping()) {
+    const begin = performance.now();
+    frame = await drag.dragTo(vertex);
+    if (frame.state !== 'superseded') going.approached = since(begin);
+    showFrame(app, hold, going, frame);
+    if (frame.state !== 'heat' || !frame.isApproaching) return frame;
   }
-  return undefined;
+  return frame;
+}
+
+const hasHandles = ({ handles }: Prescription): boolean => handles.some((r) => r !== null);
+
+function showFrame(app: App, hold: Hold, going: Going, frame: DragFrame | SupersededFrame): void {
+  if (frame.state === 'superseded' || hold.going !== going) return;
+  app.doc.live = liveMapOf(going.base, frame, app.doc.live);
+}
+
+/**
+ * A step of the map towards the cone keeps the next position waiting: it is made while the hand rests, and while it
+ * moves only as often as to take a quarter of the time.
+ */
+async function turnOf(hold: Hold, { approached: { at, took } }: Going): Promise<void> {
+  const left = Math.min(rest, at + 3 * took - performance.now());
+  if (left > 0)
+    await Promise.race([new Promise((rested) => setTimeout(rested, left)), hold.released]);
 }
 
 /** Ends the drag: nothing of it stays but the cone. */
@@ -180,6 +221,7 @@ export function dropLive(app: App, step: string): void {
   const now = app.doc.prescription.cones[hold.cone]?.vertex;
   if (now === undefined || now === hold.pressed) return cancelLive(app);
   holds.current = undefined;
+  hold.isDropped = true;
   hold.release(step);
 }
 
@@ -190,6 +232,8 @@ async function store(app: App, going: Going, cone: number, step: string): Promis
   // The hand may have taken the cone further by now.
   const prescription = withConeAt(doc.prescription, cone, { vertex: going.wanted });
   const last = await going.latest.catch(() => undefined);
+  if (last?.state === 'heat' && last.isApproaching && doc.prescription === prescription)
+    doc.promised = doc.wanted;
   const isThere = last?.state === 'certified' && last.vertex === going.wanted;
   if (!isThere || !model || !doc.live) return;
   doc.live = { ...doc.live, state: 'storing' };

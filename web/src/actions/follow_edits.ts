@@ -26,8 +26,9 @@ interface Renewal {
 /** The map that is to be made now; undefined if the one that is shown is right, or others have precedence. */
 function nextMap(app: App): Wanted | undefined {
   const { doc, ui } = app;
-  const { wanted, displayed, current } = doc;
-  if (!isAutomatic(app) || !displayed || current) return undefined;
+  const { wanted, displayed, current, promised } = doc;
+  const isMade = isAutomatic(app) || (promised !== undefined && sameWanted(promised, wanted));
+  if (!isMade || !displayed || current) return undefined;
   if (ui.holdsCone || doc.needsCones || whyNotRun(app) !== '') return undefined;
   // Whoever cancelled a run, or saw it fail, asks for the next one.
   return wanted && !sameWanted(doc.notAgain, wanted) ? wanted : undefined;

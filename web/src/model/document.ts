@@ -65,6 +65,8 @@ interface Fields {
   automatic: { readonly controller: AbortController; readonly stage: string } | undefined;
   /** For what a run was cancelled, took too long or failed, or is under way: no map of it is made without Run. */
   notAgain: Wanted | undefined;
+  /** For what a map is made without Run even where edits have none: of a cone that was dropped out of the map's reach. */
+  promised: Wanted | undefined;
   /** Milliseconds that the first run on this mesh took. */
   firstRun: number | undefined;
   /** What is shown instead of a map: of a cone that is being dragged, or the scale of cones whose map is being made. */
@@ -140,6 +142,7 @@ export class Document extends storeOf<Fields>() {
       job: undefined,
       automatic: undefined,
       notAgain: undefined,
+      promised: undefined,
       firstRun: undefined,
       live: undefined,
       history: begun(emptyPrescription(4, 0, 0)),
@@ -306,6 +309,7 @@ export class Document extends storeOf<Fields>() {
     this.automatic?.controller.abort();
     this.automatic = undefined;
     this.notAgain = undefined;
+    this.promised = undefined;
     this.live = undefined;
     this.firstRun = undefined;
     this.solutions = [];

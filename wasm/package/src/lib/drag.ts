@@ -19,6 +19,8 @@ export class CoreDrag {
   readonly #anchors: number[] = [];
   #last: number;
   #wantsPreparation = false;
+  /** The vertex that the last call did not reach. */
+  #outOfReach: number | undefined;
 
   /** @internal */
   constructor(module: Module, map: CoreMap, vertex: number) {
@@ -35,22 +37,26 @@ export class CoreDrag {
   }
 
   /**
-   * The map with the cone at a vertex. A vertex far from the last one is reached in several calls; until then the state is
-   * `heat` and `isApproaching` is true. Throws `usage` where no cone can be: at other cones and on boundaries.
+   * The map with the cone at a vertex. After a leap the state is `heat` at first, which takes a frame's time, and
+   * `isApproaching` is true: each further call with the same vertex prepares a neighbourhood nearer to it, until its map
+   * is there. Throws `usage` where no cone can be: at other cones and on boundaries.
    */
   dragTo(vertex: number): DragFrame {
     checkVertex('dragTo', vertex);
     const drag = this.#current();
+    // From the rim of the prepared neighbourhood one step is enough for the next vertex.
+    const mayStep = this.#wantsPreparation || this.#outOfReach === vertex;
     let reply = valueOf(drag.moveTo(vertex));
-    this.#wantsPreparation = reply.wantsPreparation;
-    let isApproaching = false;
-    if (reply.state === 'heat' && reply.wantsPreparation) {
+    const isOut = (): boolean => reply.state === 'heat' && reply.wantsPreparation;
+    let isApproaching = isOut();
+    if (isApproaching && mayStep) {
       const isNearer = this.#approach(vertex);
       reply = valueOf(drag.moveTo(vertex));
-      isApproaching = isNearer && reply.state === 'heat';
-      this.#wantsPreparation = reply.state !== 'heat' && reply.wantsPreparation;
+      isApproaching = isNearer && isOut();
     }
-    const { wantsPreparation: _, cones, ...frame } = reply;
+    const { wantsPreparation, cones, ...frame } = reply;
+    this.#outOfReach = isApproaching ? vertex : undefined;
+    this.#wantsPreparation = frame.state !== 'heat' && wantsPreparation;
     if (frame.state === 'certified') this.#last = vertex;
     return { ...frame, vertex, isApproaching, cones: JSON.parse(cones) as Cones };
   }

@@ -155,7 +155,7 @@ export interface DragFrame {
    */
   state: 'heat' | 'certified' | 'fails';
   vertex: number;
-  /** Of `heat`: the map has come nearer to this position, and dragTo() with the same vertex brings it nearer still. */
+  /** Of `heat`: dragTo() with the same vertex brings the map nearer, for about as long as the drag took to begin. */
   isApproaching: boolean;
   /** As in a result, with uv that no corner uses; empty for `heat`. */
   uv: Float64Array;

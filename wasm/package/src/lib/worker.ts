@@ -71,7 +71,7 @@ const methodsOfMap = ['write', 'measure', 'quads', 'beginDrag'];
 const methodsOfDrag = ['dragTo', 'endDrag'];
 
 /** Milliseconds without a call after which a drag prepares what the next positions need. */
-const rest = 30;
+const rest = 80;
 
 /** The core with the models and maps that clients refer to by number. */
 class Server {

@@ -161,18 +161,18 @@ async function approach(
   going: Going,
   vertex: number,
 ): Promise<DragFrame | SupersededFrame> {
+  const resting = performance.now() + rest;
   const drag = await going.drag;
   let frame = await drag.dragTo(vertex);
   showFrame(app, hold, going, frame);
-  if (frame.state !== 'heat' || !frame.isApproaching) return frame;
-  await turnOf(hold, going);
-  const isStepping = (): boolean => !hold.isDropped || hasHandles(app.doc.prescription);
-  while (going.wanted === vertex && isStepping()) {
+  while (frame.state === 'heat' && frame.isApproaching) {
+    await turnOf(hold, going, resting);
+    const isStepping = !hold.isDropped || hasHandles(app.doc.prescription);
+    if (going.wanted !== vertex || !isStepping) break;
     const begin = performance.now();
     frame = await drag.dragTo(vertex);
     if (frame.state !== 'superseded') going.approached = since(begin);
     showFrame(app, hold, going, frame);
-    if (frame.state !== 'heat' || !frame.isApproaching) return frame;
   }
   return frame;
 }
@@ -188,8 +188,9 @@ function showFrame(app: App, hold: Hold, going: Going, frame: DragFrame | Supers
  * A step of the map towards the cone keeps the next position waiting: it is made while the hand rests, and while it
  * moves only as often as to take a quarter of the time.
  */
-async function turnOf(hold: Hold, { approached: { at, took } }: Going): Promise<void> {
-  const left = Math.min(rest, at + 3 * took - performance.now());
+async function turnOf(hold: Hold, { approached }: Going, resting: number): Promise<void> {
+  const next = Math.min(resting, approached.at + 3 * approached.took);
+  const left = next - performance.now();
   if (left > 0)
     await Promise.race([new Promise((rested) => setTimeout(rested, left)), hold.released]);
 }

@@ -54,6 +54,21 @@ for (const [kind, text] of Object.entries(marked)) {
   });
 }
 
+test('normals mark an edge where their directions differ by more than a degree, whatever their lengths', () => {
+  const turned = (degrees, length) => {
+    const angle = (degrees * Math.PI) / 180;
+    const [y, z] = [-length * Math.sin(angle), length * Math.cos(angle)];
+    const text = folded(n, undefined, (v, j) => `${v}//${j + 1}`);
+    put('turned.obj', `vn 0 0 1\nvn 0 ${y} ${z}\n${text}`);
+    return run('features', 'turned.obj', '--marked', 'normals', '-o', 'turned.txt').code;
+  };
+  for (const length of [0.25, 1, 3]) {
+    assert.equal(turned(0.9, length), 5);
+    assert.equal(turned(1.1, length), 0);
+    assert.deepEqual(inner(read('turned.txt'), n), fold);
+  }
+});
+
 test('materials and split normals of a GLB mark the same edges, and the map follows them', () => {
   for (const kind of ['materials', 'normals']) {
     put(`${kind}.obj`, marked[kind]);

@@ -366,6 +366,32 @@ test('a disk becomes a rectangle, with corners that are chosen or given', () => 
   refused(5, /prescribed cones and corners/, '--rims', '--cone', `${inside}:3`, ...cones);
 });
 
+test('with --keep-going components that are no disks are left out of a rectangle, and said', () => {
+  const mesh = (vertices, faces, first) =>
+    [
+      ...vertices.map((v) => `v ${v.join(' ')}`),
+      ...faces.map((f) => `f ${f.map((v) => v + first + 1).join(' ')}`),
+    ].join('\n');
+  const square = [[0, 0, 0], [2, 0, 0], [2, 1, 0.2], [0, 1, 0], [1, 0.5, 0.3]]; // prettier-ignore
+  const disk = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]; // prettier-ignore
+  const corners = [[5, 0, 0], [6, 0, 0], [5, 1, 0], [5, 0, 1]]; // prettier-ignore
+  const closed = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]; // prettier-ignore
+  put('both.obj', `${mesh(square, disk, 0)}\n${mesh(corners, closed, 5)}\n`);
+  put('none.obj', `${mesh(corners, closed, 0)}\n`);
+  const asked = ['--boundary', 'rectangle', '--json', 'both.json', '-o'];
+  assert.equal(run('param', 'both.obj', ...asked, 'stops.obj').code, 4);
+  const { code, err } = run('param', 'both.obj', ...asked, 'goes.obj', '--keep-going');
+  assert.equal(code, 6);
+  assert.match(err, /component 1 has genus 0 and 0 loops/);
+  const { components } = JSON.parse(read('both.json')).certificate;
+  assert.deepEqual(components.map(({ certified }) => certified), [true, false]); // prettier-ignore
+  // The corners of the disk are those of a rectangle.
+  const uv = read('goes.obj').split('\n').filter((row) => row.startsWith('vt ')).slice(0, 5); // prettier-ignore
+  const [u, v] = [0, 1].map((k) => new Set(uv.map((row) => row.split(' ')[k + 1])));
+  assert.deepEqual([u.size, v.size], [3, 3], 'two values at the corners and one in the middle');
+  assert.equal(run('param', 'none.obj', ...asked, 'none-out.obj', '--keep-going').code, 4);
+});
+
 test('what does not go together is refused', () => {
   const refused = (code, pattern, ...words) => {
     const result = run('param', 'closed.obj', '-o', 'no.obj', '--features', 'creases.txt', words);

@@ -61,13 +61,18 @@ Status makeRectangle(const ModelComponent& component, const std::string& name,
 
 Status makeRectangles(const Model& model, const SolveOptions& options, Request& request) {
   if (options.boundary != BoundaryKind::kRectangle) return Done{};
-  for (std::size_t p = 0; p < model.components.size(); ++p)
-    if (Status done = makeRectangle(
-            model.components[p],
-            model.components.size() == 1 ? "this surface" : "component " + std::to_string(p),
-            request.components[p]);
-        !done)
-      return done;
+  std::size_t refusals = 0;
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    ComponentRequest& component = request.components[p];
+    const Status done = makeRectangle(
+        model.components[p],
+        model.components.size() == 1 ? "this surface" : "component " + std::to_string(p),
+        component);
+    if (done) continue;
+    const bool isLeftOut = options.keepsGoing && done.error().code == ErrorCode::kUnsupported;
+    if (!isLeftOut || ++refusals == model.components.size()) return done.error();
+    component.refusal = done.error();
+  }
   return Done{};
 }
 

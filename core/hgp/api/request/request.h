@@ -13,6 +13,7 @@ struct ComponentRequest {
   bool isAutomatic = false;        ///< nothing is prescribed for this component: choose its cones
   std::optional<FieldData> field;  ///< the component's part of the field, in ids of the component
   std::shared_ptr<const Mirror> mirror = {};  ///< in which its map is to be symmetric
+  std::optional<Failure> refusal = {};        ///< why it has no map, while others are made
 };
 
 struct Request {

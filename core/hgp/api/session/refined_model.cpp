@@ -45,6 +45,7 @@ class Carrier {
                                  const std::optional<FrameField>& field) {
     ComponentRequest out;
     out.isAutomatic = request.isAutomatic;
+    out.refusal = request.refusal;
     out.spec.q = request.spec.q;
     if (!request.spec.features.empty() && !carryFeatures(request.spec, out.spec)) return tangled();
     if (out.isAutomatic) return out;

@@ -200,6 +200,7 @@ static bool isFreeOfGrid(const Parametrization& run) {
 /// The component with cells of the shared size, or of a whole fraction where it is too small for these.
 Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const ComponentRequest& request,
                                                     const SolveOptions& shared, RunRecord& run) {
+  if (request.refusal) return *request.refusal;
   const bool isCounted = run.options.grid.cells > 0.0 && model->components.size() == 1;
   if (!shared.grid.isAsked()) return solveComponent(p, request, shared);
   if (isCounted) {

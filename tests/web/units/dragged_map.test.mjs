@@ -3,7 +3,6 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { setTimeout as pause } from 'node:timers/promises';
 import { beginLive, cancelLive, dragLive, dropLive } from '../../../web/src/actions/drag_live.ts';
 import { moveCone } from '../../../web/src/actions/edit_cones.ts';
 import { Document } from '../../../web/src/model/document.ts';
@@ -14,6 +13,38 @@ import { plainFacts } from './plain_facts.mjs';
 import { solutionOf, square } from './square_solution.mjs';
 
 const mesh = cubeMesh(3);
+
+/** Runs a test in a time that passes only when it says so: what is decided depends on milliseconds. */
+async function inItsTime(act) {
+  const { setTimeout } = globalThis;
+  let now = 0;
+  let timers = [];
+  const settle = async () => {
+    for (let i = 0; i < 5; i++) await new Promise((resolve) => setImmediate(resolve));
+  };
+  const pass = async (ms) => {
+    const end = now + ms;
+    for (;;) {
+      await settle();
+      const [next] = timers.filter(({ at }) => at <= end).sort((a, b) => a.at - b.at);
+      if (!next) break;
+      timers = timers.filter((one) => one !== next);
+      now = next.at;
+      next.act();
+    }
+    now = end;
+  };
+  globalThis.setTimeout = (act, ms = 0) => timers.push({ at: now + ms, act });
+  performance.now = () => now;
+  try {
+    await act(pass);
+  } finally {
+    globalThis.setTimeout = setTimeout;
+    delete performance.now;
+  }
+}
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 const cones = [0, 5, 9].map((vertex) => ({ vertex, k: 3 }));
 
 /** A drag that is prepared in `took` ms, and certifies a vertex after as many steps as `stepsTo` says. */
@@ -21,26 +52,24 @@ function scripted(stepsTo, { took = 1 } = {}) {
   const calls = [];
   const spent = { inSteps: 0 };
   const asked = new Map();
+  const answer = async (vertex) => {
+    calls.push(vertex);
+    const count = (asked.get(vertex) ?? 0) + 1;
+    asked.set(vertex, count);
+    const isFar = count <= (stepsTo[vertex] ?? 0);
+    const begin = performance.now();
+    if (count > 1) await pause(took);
+    spent.inSteps += performance.now() - begin;
+    return {
+      state: isFar ? 'heat' : 'fails',
+      isApproaching: isFar,
+      ...{ vertex, uv: new Float64Array(2), cornerToUv: new Uint32Array(3) },
+      ...{ logScale: new Float32Array(4), notPositive: new Uint32Array(0), reasons: ['scripted'] },
+    };
+  };
+  let last = Promise.resolve(); // one call after the other, as the worker
   const drag = {
-    async dragTo(vertex) {
-      calls.push(vertex);
-      const count = (asked.get(vertex) ?? 0) + 1;
-      asked.set(vertex, count);
-      const isFar = count <= (stepsTo[vertex] ?? 0);
-      const begin = performance.now();
-      if (count > 1) await pause(took);
-      spent.inSteps += performance.now() - begin;
-      return {
-        state: isFar ? 'heat' : 'fails',
-        isApproaching: isFar,
-        ...{ vertex, uv: new Float64Array(2), cornerToUv: new Uint32Array(3) },
-        ...{
-          logScale: new Float32Array(4),
-          notPositive: new Uint32Array(0),
-          reasons: ['scripted'],
-        },
-      };
-    },
+    dragTo: (vertex) => (last = last.then(() => answer(vertex))),
     dispose: async () => undefined,
   };
   const begun = [];
@@ -83,93 +112,98 @@ function moveTo(app, vertex) {
   dragLive(app);
 }
 
-test('a place out of reach is asked for again when the hand rests, and not while it moves', async () => {
-  const script = scripted({ 20: 1, 21: 1, 22: 2 }, { took: 60 });
-  const app = opened(script);
-  const over = beginLive(app, 0);
-  await pause(70);
-  for (const vertex of [20, 21, 22]) {
-    moveTo(app, vertex);
-    await pause(20);
-    assert.equal(app.doc.live.state, 'heat');
-  }
-  assert.deepEqual(script.calls, [20, 21, 22], 'the hand moves');
-  await pause(40);
-  assert.deepEqual(script.calls, [20, 21, 22], 'it has not rested for long');
-  await pause(200);
-  assert.deepEqual(
-    script.calls,
-    [20, 21, 22, 22, 22],
-    'one step after the other until it is there',
-  );
-  assert.equal(app.doc.live.state, 'fails');
-  cancelLive(app);
-  await over;
-  assert.deepEqual(
-    [app.doc.live, app.doc.promised, app.ui.holdsCone],
-    [undefined, undefined, false],
-  );
-});
-
-test('while the hand moves on and on, steps take a quarter of the time', async () => {
-  const far = Object.fromEntries(Array.from({ length: 30 }, (_, i) => [20 + i, 2]));
-  const script = scripted(far, { took: 10 });
-  const app = opened(script);
-  const over = beginLive(app, 0);
-  await pause(60); // longer than three times what preparing took: the next step is due
-  const begin = performance.now();
-  for (let vertex = 20; vertex < 50; vertex++) {
-    moveTo(app, vertex);
-    await pause(15);
-  }
-  const share = script.spent.inSteps / (performance.now() - begin);
-  assert.ok(script.spent.inSteps > 0, 'it does not only wait for a rest');
-  assert.ok(share < 0.45, `${share} of the time`);
-  cancelLive(app);
-  await over;
-});
-
-test('a cone that is dropped out of reach is promised a map, without further steps', async () => {
-  const script = scripted({ 20: 5 }, { took: 30 });
-  const app = opened(script);
-  const over = beginLive(app, 0);
-  await pause(40);
-  moveTo(app, 20);
-  dropLive(app, 'a drag');
-  await over;
-  assert.deepEqual(script.calls, [20]);
-  assert.deepEqual(app.doc.promised, app.doc.wanted);
-  assert.equal(app.doc.promised.prescription.cones[0].vertex, 20);
-});
-
-test('where handles are prescribed the steps go on, since rotations follow the path; what fails is not promised', async () => {
-  const script = scripted({ 20: 3 });
-  const app = opened(script, { now: { handles: [1, null] } });
-  const over = beginLive(app, 0);
-  await pause(20);
-  moveTo(app, 20);
-  dropLive(app, 'a drag');
-  await over;
-  assert.deepEqual(script.calls, [20, 20, 20, 20]);
-  assert.equal(app.doc.promised, undefined);
-});
-
-test('the map is that of the cones, or one with this cone alone elsewhere, also at another copy of its vertex', async () => {
-  const at = (place) => ({ cones: [{ ...place, k: 3 }, ...cones.slice(1)] });
-  const beginsAt = async (mapped, now) => {
-    const script = scripted({});
-    const app = opened(script, { mapped, now });
+test('a place out of reach is asked for again when the hand rests, and not while it moves', () =>
+  inItsTime(async (pass) => {
+    const script = scripted({ 20: 1, 21: 1, 22: 2 }, { took: 60 });
+    const app = opened(script);
     const over = beginLive(app, 0);
-    await pause(5);
+    await pass(70);
+    for (const vertex of [20, 21, 22]) {
+      moveTo(app, vertex);
+      await pass(20);
+      assert.equal(app.doc.live.state, 'heat');
+    }
+    assert.deepEqual(script.calls, [20, 21, 22], 'the hand moves');
+    await pass(40);
+    assert.deepEqual(script.calls, [20, 21, 22], 'it has not rested for long');
+    await pass(200);
+    assert.deepEqual(
+      script.calls,
+      [20, 21, 22, 22, 22],
+      'one step after the other until it is there',
+    );
+    assert.equal(app.doc.live.state, 'fails');
     cancelLive(app);
     await over;
-    return script.begun;
-  };
-  assert.deepEqual(await beginsAt({}), [0]);
-  assert.deepEqual(await beginsAt(at({ vertex: 30 })), [30], 'dragged on from where its map is');
-  assert.deepEqual(await beginsAt(at({ vertex: 0, triangle: 7 })), [0]);
-  assert.deepEqual(await beginsAt({}, at({ vertex: 0, triangle: 7 })), [0]);
-  assert.deepEqual(await beginsAt({ cones: cones.slice(0, 2) }), [], 'another number of cones');
-  assert.deepEqual(await beginsAt({ cones: [{ vertex: 30, k: 5 }, ...cones.slice(1)] }), []);
-  assert.deepEqual(await beginsAt({ cones: [cones[0], { vertex: 30, k: 3 }, cones[2]] }), []);
-});
+    assert.deepEqual(
+      [app.doc.live, app.doc.promised, app.ui.holdsCone],
+      [undefined, undefined, false],
+    );
+  }));
+
+test('while the hand moves on and on, steps take a quarter of the time', () =>
+  inItsTime(async (pass) => {
+    const far = Object.fromEntries(Array.from({ length: 30 }, (_, i) => [20 + i, 2]));
+    const script = scripted(far, { took: 10 });
+    const app = opened(script);
+    const over = beginLive(app, 0);
+    await pass(60); // longer than three times what preparing took: the next step is due
+    const begin = performance.now();
+    for (let vertex = 20; vertex < 50; vertex++) {
+      moveTo(app, vertex);
+      await pass(15);
+    }
+    const share = script.spent.inSteps / (performance.now() - begin);
+    assert.ok(share > 0.15 && share < 0.3, `${share} of the time`);
+    cancelLive(app);
+    await over;
+  }));
+
+test('a cone that is dropped out of reach is promised a map, without further steps', () =>
+  inItsTime(async (pass) => {
+    const script = scripted({ 20: 5 }, { took: 30 });
+    const app = opened(script);
+    const over = beginLive(app, 0);
+    await pass(40);
+    moveTo(app, 20);
+    dropLive(app, 'a drag');
+    await over;
+    assert.deepEqual(script.calls, [20]);
+    assert.deepEqual(app.doc.promised, app.doc.wanted);
+    assert.equal(app.doc.promised.prescription.cones[0].vertex, 20);
+  }));
+
+test('where handles are prescribed the steps go on, since rotations follow the path; what fails is not promised', () =>
+  inItsTime(async (pass) => {
+    const script = scripted({ 20: 3 });
+    const app = opened(script, { now: { handles: [1, null] } });
+    const over = beginLive(app, 0);
+    await pass(20);
+    moveTo(app, 20);
+    dropLive(app, 'a drag');
+    await pass(50);
+    await over;
+    assert.deepEqual(script.calls, [20, 20, 20, 20]);
+    assert.equal(app.doc.promised, undefined);
+  }));
+
+test('the map is that of the cones, or one with this cone alone elsewhere, also at another copy of its vertex', () =>
+  inItsTime(async (pass) => {
+    const at = (place) => ({ cones: [{ ...place, k: 3 }, ...cones.slice(1)] });
+    const beginsAt = async (mapped, now) => {
+      const script = scripted({});
+      const app = opened(script, { mapped, now });
+      const over = beginLive(app, 0);
+      await pass(5);
+      cancelLive(app);
+      await over;
+      return script.begun;
+    };
+    assert.deepEqual(await beginsAt({}), [0]);
+    assert.deepEqual(await beginsAt(at({ vertex: 30 })), [30], 'dragged on from where its map is');
+    assert.deepEqual(await beginsAt(at({ vertex: 0, triangle: 7 })), [0]);
+    assert.deepEqual(await beginsAt({}, at({ vertex: 0, triangle: 7 })), [0]);
+    assert.deepEqual(await beginsAt({ cones: cones.slice(0, 2) }), [], 'another number of cones');
+    assert.deepEqual(await beginsAt({ cones: [{ vertex: 30, k: 5 }, ...cones.slice(1)] }), []);
+    assert.deepEqual(await beginsAt({ cones: [cones[0], { vertex: 30, k: 3 }, cones[2]] }), []);
+  }));

@@ -299,6 +299,10 @@ test(
     assert.ok(Number.isInteger(first));
     await click($('[data-handle="1"] [aria-label$="larger"]'));
     assert.equal(doc.prescription.handles[1], (first + 1) % 4);
+    for (const back of [0, 3]) {
+      await click($('[data-handle="1"] [aria-label$="smaller"]'));
+      assert.equal(doc.prescription.handles[1], (first + back) % 4);
+    }
     await choose($('[data-handle="1"] input'), '-1');
     assert.equal(doc.prescription.handles[1], 3, 'modulo q');
     await choose($('[data-handle="1"] input'), '');

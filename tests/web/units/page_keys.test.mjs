@@ -12,6 +12,9 @@ const press = async (target, key, more = {}) => {
   return event.defaultPrevented;
 };
 
+/** What is in the middle of the view. */
+const pointed = { vertex: 9 };
+
 /** A page with a keyboard, and views that note what they are told. */
 async function pageWithKeys(t) {
   const { Keyboard } = await import('../../../web/src/input/keyboard.ts');
@@ -21,7 +24,7 @@ async function pageWithKeys(t) {
   const tell = (name) => (...args) => void told.push([name, ...args]); // prettier-ignore
   const { surface } = app.doc.model;
   const orbit = { move: tell('move'), pan: tell('pan'), toText: () => '', reset: tell('reset'), fit: tell('fit'), toggleParallel: tell('parallel') }; // prettier-ignore
-  const model = { orbit, setCursor: tell('cursor'), highlight: tell('highlight'), lookAt: tell('look'), draw() {}, canvas: $('#view'), pick: () => ({ vertex: 9 }), setHandles: tell('handles'), toScreen: (v) => ({ x: surface.positions[3 * v], y: -surface.positions[3 * v + 1] }) }; // prettier-ignore
+  const model = { orbit, setCursor: tell('cursor'), highlight: tell('highlight'), lookAt: tell('look'), draw() {}, canvas: $('#view'), pick: () => ({ vertex: pointed.vertex }), setHandles: tell('handles'), toScreen: (v) => ({ x: surface.positions[3 * v], y: -surface.positions[3 * v + 1] }) }; // prettier-ignore
   app.views = { model, uv: { highlight() {}, zoom: tell('zoom'), pan: tell('uv-pan'), fit() {} } };
   const keyboard = new Keyboard(app);
   return { app, told, keyboard, surface };
@@ -136,6 +139,15 @@ test(
     );
     await press('#view', 'c');
     assert.deepEqual([ui.tool, last()], ['orbit', ['cursor', -1]]);
+
+    pointed.vertex = 0; // the first of all
+    await press('#view', 'c');
+    await press('#view', 'Enter');
+    pointed.vertex = 9;
+    assert.deepEqual(
+      doc.prescription.cones.map(({ vertex }) => vertex),
+      [at, 0],
+    );
   },
 );
 

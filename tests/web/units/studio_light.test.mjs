@@ -27,6 +27,21 @@ const approximated = ([x, y, z]) =>
     0,
   );
 
+/** The mean of the light over the sphere of directions. */
+function mean() {
+  const [rows, columns] = [400, 800];
+  let sum = 0;
+  for (let i = 0; i < rows; i++) {
+    const y = -1 + (2 * i + 1) / rows;
+    for (let j = 0; j < columns; j++) {
+      const angle = (2 * Math.PI * j) / columns;
+      const [x, z] = [Math.cos(angle), Math.sin(angle)].map((t) => t * Math.sqrt(1 - y * y));
+      sum += radiance(x, y, z);
+    }
+  }
+  return sum / (rows * columns);
+}
+
 const normals = [
   ...[-1, 1].flatMap((s) => [0, 1, 2].map((k) => [0, 1, 2].map((i) => (i === k ? s : 0)))),
   ...[0, 1, 2, 3, 4, 5, 6, 7].map((i) => unit([i & 1, (i >> 1) & 1, i >> 2].map((b) => 2 * b - 1))),
@@ -37,6 +52,10 @@ test('nine numbers give what a matte surface reflects, within 0.03', () => {
     const [seen, wanted] = [approximated(normal), reflected(normal)];
     assert.ok(Math.abs(seen - wanted) < 0.03, `${normal}: ${seen}, not ${wanted}`);
   }
+});
+
+test('the first of the nine numbers is the mean of the light', () => {
+  assert.ok(Math.abs(irradiance[0] / mean() - 1) < 1e-4, `${irradiance[0]}, ${mean()}`);
 });
 
 test('a white surface that faces the lamp is white, and no side is black', () => {

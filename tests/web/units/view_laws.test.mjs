@@ -285,6 +285,19 @@ test('markers: a triangle up for less than a full turn, down for more, a disk fo
   assert.ok(top < 0 && bottom > 0);
 });
 
+test('markers: a rim and a dark line around all; around the selected one the line is on top', () => {
+  const strokesOf = (isSelected) => {
+    const before = drawn.length;
+    new ConeMarkers(true).show([{ at: [0, 0, 0], k: 41, q: 50, isSelected, isBad: false }]);
+    return drawn
+      .slice(before)
+      .map(([name]) => name)
+      .filter((name) => name === 'stroke' || name === 'fill');
+  };
+  assert.deepEqual(strokesOf(false), ['stroke', 'stroke', 'fill']);
+  assert.deepEqual(strokesOf(true), ['stroke', 'fill', 'stroke']);
+});
+
 test('quads: two triangles each, every edge once, folded ones pink, markers where not four edges meet', () => {
   // A box of six quads, one of them with a corner turned over.
   const p = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [i & 1, (i >> 1) & 1, i >> 2]);

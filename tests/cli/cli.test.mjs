@@ -286,6 +286,18 @@ test('param --boundary convex maps a disk with polygons', () => {
   assert.match(read('flat.obj'), /\nf \d+\/\d+ \d+\/\d+ \d+\/\d+ \d+\/\d+\n/);
   assert.equal(run(['verify', 'flat.obj']).code, 0);
   assert.equal(run(['param', 'ball.obj', '--boundary', 'convex', '-o', 'x.obj']).code, 4);
+  // What such a map does not have is not silently left out.
+  for (const words of [
+    ['--count', '4'],
+    ['--cones-for', 'few'],
+    ['--align'],
+    ['--q', '6'],
+    ['--method', 'soft'],
+  ]) {
+    const refused = run(['param', 'disk.obj', '--boundary', 'convex', '-o', 'x.obj', ...words]);
+    assert.equal(refused.code, 2, words.join(' '));
+    assert.match(refused.err, /onto a convex polygon has .*leave out/);
+  }
 });
 
 test('param --improve lowers what it is named for and stays certified', () => {

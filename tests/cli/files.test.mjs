@@ -68,6 +68,9 @@ test('--refine maps and writes a finer mesh where the mesh as it is has no map',
   assert.equal(existsSync(at('finer.obj')), false);
   const told = JSON.parse(plain.out).notes.map(({ code }) => code);
   assert.ok(told.includes('refine-offered'));
+  // Where one method was asked for, others are the nearer way out.
+  const one = JSON.parse(run([...asked, '--method', 'soft']).out).notes.map(({ code }) => code);
+  assert.ok(one.includes('method-offered') && !one.includes('refine-offered'), one.join());
 
   const { code, out, err } = run([...asked, '--refine']);
   assert.equal(code, 0, err);

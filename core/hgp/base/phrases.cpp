@@ -260,6 +260,9 @@ constexpr Phrase kOthers[] = {
     {"refine-offered",
      "no map on this mesh: it may be too coarse for the prescription. --refine (refine: true) "
      "splits edges, tries again, and writes the refined mesh"},
+    {"method-offered",
+     "no map on this mesh by the method “{method}” alone; without --method (method: auto) others "
+     "are tried after it"},
     {"refined",
      "THE MESH WAS REFINED: {edges|edge is|edges are} split ({places}), because "
      "{programs|program} gave no map of the original mesh. The certified and written mesh has "

@@ -86,7 +86,6 @@ class Walk {
     image_.halfedge = PerHalfedge<HalfedgeId>(at(from_.halfedgeCount()));
     std::vector<FaceId> open;
     matched_ = 0;
-    without_ = TriMesh::face(h);
     if (!take(h, g, open)) return false;
     while (!open.empty()) {
       const FaceId f = open.back();
@@ -94,7 +93,6 @@ class Walk {
       for (int k = 0; k < 3; ++k) {
         const HalfedgeId side = TriMesh::halfedge(f, k);
         const HalfedgeId across = from_.twin(side), there = to_.twin(image_.halfedge[side]);
-        without_ = across.isValid() ? TriMesh::face(across) : f;
         if (across.isValid() != there.isValid()) return false;
         if (!across.isValid() || image_.halfedge[across] == there) continue;
         if (image_.halfedge[across].isValid() || !take(across, there, open)) return false;
@@ -102,8 +100,6 @@ class Walk {
     }
     return matched_ == from_.faceCount() && matched_ == to_.faceCount();
   }
-  int matched() const { return matched_; }
-  FaceId without() const { return without_; }
   Reflection& image() { return image_; }
 
  private:
@@ -129,7 +125,6 @@ class Walk {
   const double tolerance_;
   Reflection image_;
   int matched_ = 0;
-  FaceId without_;
 };
 
 HalfedgeId largestTriangle(const TriMesh& mesh) {
@@ -199,8 +194,8 @@ Box<3> boxOfCorners(const TriMesh& mesh) {
   return box;
 }
 
-ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const MirrorPlane& plane,
-                                double tolerance) {
+std::optional<Reflection> findReflection(const TriMesh& from, const TriMesh& to,
+                                         const MirrorPlane& plane, double tolerance) {
   const HalfedgeId first = largestTriangle(from);
   std::array<Vec3, 3> place;  // of the image of tail, head and the third corner of `first`
   HalfedgeId h = first;
@@ -208,9 +203,7 @@ ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const Mi
     p = mirrored(plane, from.position(from.tail(h)));
     h = TriMesh::next(h);
   }
-  ReflectionSearch out;
-  out.without = TriMesh::face(first);
-  if (from.faceCount() != to.faceCount()) return out;
+  if (from.faceCount() != to.faceCount()) return std::nullopt;
   Walk walk(from, to, plane, tolerance);
   HalfedgeId g;  // the last start, and how far it is from the place
   double reached = -1.0;
@@ -229,16 +222,9 @@ ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const Mi
     if (!next.isValid()) break;
     g = next;
     reached = nearest;
-    if (walk.run(first, g)) {
-      out.matched = walk.matched();
-      out.reflection = std::move(walk.image());
-      return out;
-    }
-    if (walk.matched() <= out.matched) continue;
-    out.matched = walk.matched();
-    out.without = walk.without();
+    if (walk.run(first, g)) return std::move(walk.image());
   }
-  return out;
+  return std::nullopt;
 }
 
 bool hasTwoSides(const TriMesh& mesh, const Reflection& own) {

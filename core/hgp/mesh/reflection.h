@@ -37,19 +37,22 @@ struct Reflection {
   double distance = 0.0;  ///< between the mirrored place of a vertex and its image, at most
 };
 
-/// The reflection found, or else the largest part of the surface that has an image.
-struct ReflectionSearch {
-  std::optional<Reflection> reflection;
-  int matched = 0;  ///< triangles
-  FaceId without;   ///< a triangle without an image
-};
-
-/// Finds it by walking over both surfaces at once from a triangle and its image, O(|F|) for each of at most kMaxStarts triangles
+/// Finds the reflection by walking over both surfaces at once from a triangle and its image, O(|F|) for each of at most kMaxStarts triangles
 /// at the mirrored place of the largest one, the nearest first.
 /// @param tolerance  in units of the surface; @pre both connected
 inline constexpr std::size_t kMaxStarts = 16;
-ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const MirrorPlane& plane,
-                                double tolerance);
+std::optional<Reflection> findReflection(const TriMesh& from, const TriMesh& to,
+                                         const MirrorPlane& plane, double tolerance);
+
+/// The triangles of a surface that have a mirror image: one of its triangles with a corner within the tolerance of the mirrored
+/// place of each corner, the other way round. All of them may have one where there is no reflection: images need not be
+/// joined as the triangles are.
+struct MirrorImages {
+  int count = 0;
+  FaceId without;  ///< the first that has none
+};
+/// O(|F| log |F|) where few triangles have their centres in the same place.
+MirrorImages mirrorImages(const TriMesh& mesh, const MirrorPlane& plane, double tolerance);
 
 /// A surface's reflection onto itself, or that of another component onto it.
 struct Mirror {

@@ -41,7 +41,7 @@ MirrorPlane planeNamed(const MeshData& mesh, const std::string& name) {
 
 std::optional<Reflection> reflectionOf(const test::Shape& shape, const std::string& plane) {
   const TriMesh mesh = shape.mesh();
-  return findReflection(mesh, mesh, planeNamed(shape.data, plane), 1e-6).reflection;
+  return findReflection(mesh, mesh, planeNamed(shape.data, plane), 1e-6);
 }
 
 TEST(Reflection, IsAnInvolutionThatTurnsEveryTriangleOver) {
@@ -86,20 +86,26 @@ TEST(Reflection, IsFoundOnlyWhereTheTrianglesMatch) {
     break;
   }
   const TriMesh mesh = flipped.mesh();
-  const ReflectionSearch search = findReflection(mesh, mesh, planeNamed(flipped.data, "X"), 1e-6);
-  EXPECT_FALSE(search.reflection);
-  EXPECT_LT(search.matched, mesh.faceCount());
-  EXPECT_TRUE(search.without.isValid());
+  const MirrorPlane plane = planeNamed(flipped.data, "X");
+  EXPECT_FALSE(findReflection(mesh, mesh, plane, 1e-6));
+  // The two triangles, and those whose images they were.
+  const MirrorImages images = mirrorImages(mesh, plane, 1e-6);
+  EXPECT_EQ(images.count, mesh.faceCount() - 4);
+  EXPECT_TRUE(images.without.isValid());
+  EXPECT_EQ(mirrorImages(whole, plane, 1e-6).count, whole.faceCount());
+  EXPECT_FALSE(mirrorImages(whole, plane, 1e-6).without.isValid());
 }
 
 TEST(Reflection, ToleratesVerticesThatAreOffByLess) {
   const test::Shape shape = test::jittered(glued(6), 1e-4, 7);
   const TriMesh mesh = shape.mesh();
   const MirrorPlane plane = planeNamed(shape.data, "X");
-  const ReflectionSearch search = findReflection(mesh, mesh, plane, 1e-3);
-  ASSERT_TRUE(search.reflection);
-  EXPECT_GT(search.reflection->distance, 0.0);
-  EXPECT_FALSE(findReflection(mesh, mesh, plane, 0.1 * search.reflection->distance).reflection);
+  const std::optional<Reflection> own = findReflection(mesh, mesh, plane, 1e-3);
+  ASSERT_TRUE(own);
+  EXPECT_GT(own->distance, 0.0);
+  EXPECT_FALSE(findReflection(mesh, mesh, plane, 0.1 * own->distance));
+  EXPECT_EQ(mirrorImages(mesh, plane, 1e-3).count, mesh.faceCount());
+  EXPECT_LT(mirrorImages(mesh, plane, 0.1 * own->distance).count, mesh.faceCount());
 }
 
 TEST(Reflection, PrincipalAxesFindThePlaneOfATurnedSurface) {
@@ -110,7 +116,7 @@ TEST(Reflection, PrincipalAxesFindThePlaneOfATurnedSurface) {
   for (const MirrorPlane& plane : likelyPlanes(shape.data)) {
     if (!plane.name.empty()) continue;
     EXPECT_NEAR(norm(plane.normal), 1.0, 1e-12);
-    found += findReflection(mesh, mesh, plane, 1e-6).reflection.has_value();
+    found += findReflection(mesh, mesh, plane, 1e-6).has_value();
   }
   EXPECT_EQ(found, 1);
 }
@@ -163,13 +169,26 @@ TEST(Reflection, HasTwoSidesOnlyIfItsPlaneCutsTheSurfaceApart) {
   }
 }
 
+TEST(MirrorImages, AreTurnedOver) {
+  // A triangle, its image, and the image of another one that is not turned over.
+  test::Shape shape;
+  shape.data.positions = {{1, 0, 0},  {2, 0, 0},  {1, 1, 0},  {-1, 0, 0}, {-2, 0, 0},
+                          {-1, 1, 0}, {1, 0, 5},  {2, 0, 5},  {1, 1, 5},  {-1, 0, 5},
+                          {-2, 0, 5}, {-1, 1, 5}, {3, 0, 0.5}};
+  shape.data.triangles = {{0, 1, 2}, {4, 3, 5}, {6, 7, 8}, {9, 10, 11}};
+  const TriMesh mesh = shape.mesh();
+  const MirrorImages images = mirrorImages(mesh, {"X", {1.0, 0.0, 0.0}, 0.0}, 1e-9);
+  EXPECT_EQ(images.count, 2);
+  EXPECT_EQ(images.without, FaceId(2));
+}
+
 TEST(Reflection, OfATinySurfaceIsTheNearestOne) {
   for (unsigned seed = 1; seed < 6; ++seed) {
     const test::Shape shape = test::scattered(test::icosphere(3), seed);
     const TriMesh mesh = shape.mesh();
-    const auto search = findReflection(mesh, mesh, planeNamed(shape.data, "X"), 10.0);
-    ASSERT_TRUE(search.reflection);
-    EXPECT_LT(search.reflection->distance, 1e-9);
+    const auto own = findReflection(mesh, mesh, planeNamed(shape.data, "X"), 10.0);
+    ASSERT_TRUE(own);
+    EXPECT_LT(own->distance, 1e-9);
   }
 }
 

@@ -28,6 +28,7 @@ const pagePhrases: Phrases = {
   'refine-offered':
     'no map on this mesh: it may be too coarse for the prescription. On the command line, --refine splits edges, ' +
     'tries again, and writes the refined mesh',
+  'method-offered': 'no map on this mesh by the method “{method}” alone',
   'grid-few-advised': 'fewer cones leave more room for a grid: move the slider to Fewer',
   'grid-cells-far':
     '{cells:.0f} cells instead of {asked:.0f}: with {perCone:.1f} cells per cone no number nearer to it was found; ask ' +

@@ -39,13 +39,14 @@ class Finder {
     for (std::size_t p = 0; p < tolerance_.size(); ++p) {
       if (out_.mirrors[p]) continue;
       const TriMesh& mesh = model_.components[p].mesh;
-      ReflectionSearch search = findIn(p, p);
-      if (search.reflection && hasTwoSides(mesh, *search.reflection)) {
-        out_.inPlane += static_cast<int>(edgesInPlane(mesh, *search.reflection).size());
-        out_.across += static_cast<int>(edgesAcross(mesh, *search.reflection).size());
-        keep(std::move(*search.reflection), p, -1);
+      std::optional<Reflection> own = findIn(p, p);
+      if (own && hasTwoSides(mesh, *own)) {
+        out_.inPlane += static_cast<int>(edgesInPlane(mesh, *own).size());
+        out_.across += static_cast<int>(edgesAcross(mesh, *own).size());
+        keep(std::move(*own), p, -1);
       } else if (!pair(p)) {
-        out_.missing = {static_cast<int>(p), search.matched, search.without};
+        out_.missing = {static_cast<int>(p), own.has_value(),
+                        mirrorImages(mesh, out_.plane, tolerance_[p])};
         break;
       }
     }
@@ -53,7 +54,7 @@ class Finder {
   }
 
  private:
-  ReflectionSearch findIn(std::size_t p, std::size_t o) const {
+  std::optional<Reflection> findIn(std::size_t p, std::size_t o) const {
     return findReflection(model_.components[p].mesh, model_.components[o].mesh, out_.plane,
                           tolerance_[p]);
   }
@@ -74,9 +75,9 @@ class Finder {
           !(distance(there, means_[o]) <= tolerance_[p]))
         continue;
       ++tried;
-      ReflectionSearch search = findIn(p, o);
-      if (!search.reflection) continue;
-      keep(std::move(*search.reflection), o, static_cast<int>(p));
+      std::optional<Reflection> image = findIn(p, o);
+      if (!image) continue;
+      keep(std::move(*image), o, static_cast<int>(p));
       return true;
     }
     return false;

@@ -11,9 +11,9 @@ namespace hgp::api {
 
 /// Where a model has no two sides that are mirror images of each other.
 struct NoMirror {
-  int component = -1;  ///< the first that is the image neither of itself nor of another
-  int matched = 0;  ///< its triangles that have an image in it; all of them: but not hasTwoSides()
-  FaceId without;   ///< one that has none
+  int component = -1;       ///< the first that is the image neither of itself nor of another
+  bool isMirrored = false;  ///< it is its own image, but not hasTwoSides()
+  MirrorImages images;
 };
 
 struct ModelMirror {

@@ -38,17 +38,18 @@ Status checkPossible(const SolveOptions& options, const Request& request) {
 
 /// Why there are no two sides of the plane. @param next  what to do
 Failure notSymmetric(const Model& model, const ModelMirror& mirror, const std::string& next = "") {
-  const auto& [p, matched, without] = mirror.missing;
+  const auto& [p, isMirrored, images] = mirror.missing;
   const ModelComponent& component = model.components[at(p)];
   const std::string plane = planeText(mirror.plane);
   const int faces = component.mesh.faceCount();
-  if (matched == faces)
+  if (isMirrored || !images.without.isValid())
     return toSurfaceIds(
         model, component,
         refuse(ErrorCode::kUnsupported,
-               formatText("all %d triangles have mirror images across %s, but they are not two "
-                          "sides: the plane does not cut them apart.",
-                          faces, plane.c_str()) +
+               formatText(
+                   "all %d triangles have mirror images across %s, but %s.", faces, plane.c_str(),
+                   isMirrored ? "they are not two sides: the plane does not cut them apart"
+                              : "they are not joined like these: vertices are split elsewhere") +
                    next));
   return toSurfaceIds(
       model, component,
@@ -56,9 +57,9 @@ Failure notSymmetric(const Model& model, const ModelMirror& mirror, const std::s
              formatText("the mesh is not symmetric across %s: %d of %d triangles have a mirror "
                         "image, with vertices within %g of its diagonal and joined by the same "
                         "triangles. Replace one side by the image of the other.",
-                        plane.c_str(), matched, faces, kMirrorTolerance) +
+                        plane.c_str(), images.count, faces, kMirrorTolerance) +
                  next,
-             {{Where::Kind::kFace, without.i}}));
+             {{Where::Kind::kFace, images.without.i}}));
 }
 
 /// The edges in the plane are features, and so are rims.
@@ -95,7 +96,7 @@ Status takePlane(const Model& model, const SolveOptions& options, Request& reque
   std::optional<ModelMirror> best;
   // A plane that no edges cross needs no other triangles.
   const auto rank = [](const ModelMirror& m) {
-    return m.missing.component >= 0 ? m.missing.matched : INT_MAX - (m.across > 0 ? 1 : 0);
+    return m.missing.component >= 0 ? m.missing.images.count : INT_MAX - (m.across > 0 ? 1 : 0);
   };
   for (const MirrorPlane& plane : planes) {
     if (!report(options.progress, {Stage::kPrepare, 0.0})) return cancelled(Stage::kPrepare);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "hgp/api/request/feature_request.h"
 #include "hgp/base/check.h"
 
 namespace hgp::api {
@@ -40,10 +41,27 @@ Status checkGrid(const SolveOptions& options, int q) {
   return Done{};
 }
 
+/// Checks that nothing is asked of a convex boundary that a map without cones and seams does not have.
+Status checkConvex(const SolveOptions& options) {
+  if (options.boundary != BoundaryKind::kConvex) return Done{};
+  const auto refuse = [](const char* text) {
+    return Failure{ErrorCode::kUsage, "boundary", text, {}};
+  };
+  if (choosesCones(options))
+    return refuse(
+        "A map onto a convex polygon has no cones; leave out their number, purpose and alignment.");
+  if (options.q != 4)
+    return refuse("A map onto a convex polygon has no seams that turn; leave out q.");
+  if (options.method != Method::kAuto)
+    return refuse("A map onto a convex polygon has a method of its own; leave out the method.");
+  return Done{};
+}
+
 }  // namespace
 
 Status checkOptions(const SolveOptions& options, int q) {
   if (Status possible = checkGrid(options, q); !possible) return possible;
+  if (Status possible = checkConvex(options); !possible) return possible;
   if (options.improve && !(std::fabs(options.improve->balance) <= 1.0)) return wrongBalance();
   if (options.frames == FrameSource::kFile && options.refines) return cannotRefineFrames();
   return Done{};

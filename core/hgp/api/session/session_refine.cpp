@@ -111,7 +111,11 @@ Status Session::State::solveRefined(const Request& request, const SolveOptions& 
                                     RunRecord& run) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.refines) {
-    if (!hasMap(run)) run.notes.push_back(Note("refine-offered"));
+    if (hasMap(run)) return Done{};
+    if (options.method == Method::kAuto)
+      run.notes.push_back(Note("refine-offered"));
+    else
+      run.notes.push_back(Note("method-offered", {{"method", methodName(options.method)}}));
     return Done{};
   }
   const std::vector<std::optional<FrameField>> fields = fieldsOfGivenHandles(request, run);

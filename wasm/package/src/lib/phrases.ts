@@ -34,6 +34,8 @@ const optionPhrases: Phrases = {
   'refine-offered':
     'no map on this mesh: it may be too coarse for the prescription. refine: true splits edges, tries again, and ' +
     'writes the refined mesh',
+  'method-offered':
+    "no map on this mesh by the method “{method}” alone; with method: 'auto' others are tried after it",
   'grid-few-advised': "fewer cones leave more room for a grid: try conesFor: 'few'",
   'grid-few-used':
     "the default cones have no map on this grid; those of conesFor: 'few' are used instead",

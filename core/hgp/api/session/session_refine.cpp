@@ -107,15 +107,17 @@ Status Session::State::solveImproved(const Request& request, const SolveOptions&
   return !done && done.error().code == ErrorCode::kCancelled ? done : Status(Done{});
 }
 
+/// What to try where a method found no map.
+static Note wayOut(Method method) {
+  if (method == Method::kAuto) return Note("refine-offered");
+  return Note("method-offered", {{"method", methodName(method)}});
+}
+
 Status Session::State::solveRefined(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.refines) {
-    if (hasMap(run)) return Done{};
-    if (options.method == Method::kAuto)
-      run.notes.push_back(Note("refine-offered"));
-    else
-      run.notes.push_back(Note("method-offered", {{"method", methodName(options.method)}}));
+    if (!hasMap(run)) run.notes.push_back(wayOut(options.method));
     return Done{};
   }
   const std::vector<std::optional<FrameField>> fields = fieldsOfGivenHandles(request, run);

@@ -37,8 +37,8 @@ struct Reflection {
   double distance = 0.0;  ///< between the mirrored place of a vertex and its image, at most
 };
 
-/// Finds the reflection by walking over both surfaces at once from a triangle and its image, O(|F|) for each of at most kMaxStarts triangles
-/// at the mirrored place of the largest one, the nearest first.
+/// Finds the reflection by walking over both surfaces at once from a triangle and its image, O(|F|) for each of at most
+/// kMaxStarts triangles at the mirrored place of the largest one, the nearest first.
 /// @param tolerance  in units of the surface; @pre both connected
 inline constexpr std::size_t kMaxStarts = 16;
 std::optional<Reflection> findReflection(const TriMesh& from, const TriMesh& to,
@@ -51,7 +51,7 @@ struct MirrorImages {
   int count = 0;
   FaceId without;  ///< the first that has none
 };
-/// O(|F| log |F|) where few triangles have their centres in the same place.
+/// O(|F| (log |F| + m)), m triangles being within the tolerance of a plane across; for messages only.
 MirrorImages mirrorImages(const TriMesh& mesh, const MirrorPlane& plane, double tolerance);
 
 /// A surface's reflection onto itself, or that of another component onto it.

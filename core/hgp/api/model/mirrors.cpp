@@ -45,8 +45,7 @@ class Finder {
         out_.across += static_cast<int>(edgesAcross(mesh, *own).size());
         keep(std::move(*own), p, -1);
       } else if (!pair(p)) {
-        out_.missing = {static_cast<int>(p), own.has_value(),
-                        mirrorImages(mesh, out_.plane, tolerance_[p])};
+        out_.missing = {static_cast<int>(p), own.has_value(), tolerance_[p]};
         break;
       }
     }

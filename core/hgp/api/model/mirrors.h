@@ -13,7 +13,7 @@ namespace hgp::api {
 struct NoMirror {
   int component = -1;       ///< the first that is the image neither of itself nor of another
   bool isMirrored = false;  ///< it is its own image, but not hasTwoSides()
-  MirrorImages images;
+  double tolerance = 0.0;   ///< of its vertices
 };
 
 struct ModelMirror {

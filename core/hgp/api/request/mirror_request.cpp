@@ -36,10 +36,17 @@ Status checkPossible(const SolveOptions& options, const Request& request) {
   return Done{};
 }
 
+/// How near a plane comes to a symmetry: the images in the component that has none.
+MirrorImages imagesIn(const Model& model, const ModelMirror& mirror) {
+  const auto& [p, isMirrored, tolerance] = mirror.missing;
+  return mirrorImages(model.components[at(p)].mesh, mirror.plane, tolerance);
+}
+
 /// Why there are no two sides of the plane. @param next  what to do
 Failure notSymmetric(const Model& model, const ModelMirror& mirror, const std::string& next = "") {
-  const auto& [p, isMirrored, images] = mirror.missing;
-  const ModelComponent& component = model.components[at(p)];
+  const bool isMirrored = mirror.missing.isMirrored;
+  const MirrorImages images = imagesIn(model, mirror);
+  const ModelComponent& component = model.components[at(mirror.missing.component)];
   const std::string plane = planeText(mirror.plane);
   const int faces = component.mesh.faceCount();
   if (isMirrored || !images.without.isValid())
@@ -94,15 +101,19 @@ Status takePlane(const Model& model, const SolveOptions& options, Request& reque
     planes = {planes[static_cast<std::size_t>(options.symmetry) -
                      static_cast<std::size_t>(Symmetry::kX)]};
   std::optional<ModelMirror> best;
+  int bestRank = -1;
   // A plane that no edges cross needs no other triangles.
-  const auto rank = [](const ModelMirror& m) {
-    return m.missing.component >= 0 ? m.missing.images.count : INT_MAX - (m.across > 0 ? 1 : 0);
+  const auto rank = [&](const ModelMirror& m) {
+    return m.missing.component >= 0 ? imagesIn(model, m).count : INT_MAX - (m.across > 0 ? 1 : 0);
   };
   for (const MirrorPlane& plane : planes) {
     if (!report(options.progress, {Stage::kPrepare, 0.0})) return cancelled(Stage::kPrepare);
     ModelMirror mirror = mirrorAcross(model, plane);
-    if (!best || rank(mirror) > rank(*best)) best = std::move(mirror);
-    if (rank(*best) == INT_MAX) break;
+    const int own = rank(mirror);
+    if (own <= bestRank) continue;
+    best = std::move(mirror);
+    bestRank = own;
+    if (bestRank == INT_MAX) break;
   }
   if (best->missing.component >= 0)
     return notSymmetric(

@@ -235,6 +235,11 @@ class Parser {
     const bool isGltf = out_.load.target == "glb" || out_.load.target == "gltf";
     if (out_.isCompressed && !isGltf && out_.output != "-")
       refuse("--compress is for glTF: name the result -o x.glb or -o x.gltf");
+    const std::string format = targetOf(out_.output);
+    const bool isOther = !format.empty() && format != "glb" && format != "gltf";
+    if (isOther && out_.write.uvSet >= 0)
+      refuse("--uv-set is for glTF; other formats have one set");
+    if (isOther && out_.isEmbedded) refuse("--embed is for glTF: name the result -o x.gltf");
     if (out_.isCompressed && !api::canCompress())
       refuse("--compress: this program was built without an encoder (libmeshoptimizer)");
     for (const std::string& name : out_.also) {

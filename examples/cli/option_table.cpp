@@ -257,9 +257,10 @@ class Table {
       if (!word.empty()) CLI::detail::lexical_cast(word, degrees);
       out.creaseDegrees = degrees;
     };
-    sub->add_option_function<std::string>(
-           "--creases", take,
-           "So do edges with a dihedral angle above DEGREES (default 30), and boundary edges")
+    sub->add_option_function<std::string>("--creases", take,
+                                          "So do edges with a dihedral angle above DEGREES "
+                                          "(default 30), and the boundary edges of "
+                                          "components that have any")
         ->option_text("[DEGREES]")
         ->expected(0, 1)
         ->check(CLI::Validator(

@@ -710,6 +710,30 @@ test('invalid or out-of-range numbers are usage errors with short messages', () 
   assert.equal(run(['inspect', 'ball.obj', '--max-triangles', '288']).code, 0);
 });
 
+test('what only glTF has is refused for other formats, before anything is solved', () => {
+  for (const [option, pattern] of [
+    [['--uv-set', '1'], /--uv-set is for glTF/],
+    ['--embed', /--embed is for glTF/],
+  ]) {
+    const { code, err } = run(['param', 'ball.obj', '-o', 'other.obj', option].flat());
+    assert.equal(code, 2);
+    assert.match(err, pattern);
+    assert.ok(!existsSync(at('other.obj')));
+  }
+  assert.equal(run(['param', 'ball.obj', '-o', 'other.glb', '--uv-set', '1', '--embed']).code, 0);
+});
+
+test('a mesh that vanishes in single precision is refused as glTF alone', () => {
+  put(
+    'far_off.obj',
+    'v 1e9 1e9 0\nv 1000000001 1e9 0\nv 1000000001 1000000001 0\nv 1e9 1000000001 0\nf 1 2 3\nf 1 3 4\n',
+  );
+  const { code, err } = run(['param', 'far_off.obj', '-o', 'far_off.glb']);
+  assert.equal(code, 4);
+  assert.match(err, /single precision, no triangle of 2 has an area .* -o x\.obj/);
+  assert.equal(run(['param', 'far_off.obj', '-o', 'far_mapped.obj']).code, 0);
+});
+
 /** Files of a hostile neighbour, each with its exit code and what is said. */
 const hostile = {
   'nan.obj': ['v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /line 1/],

@@ -57,8 +57,20 @@ test('cones move to a version with other numbers; the options belong together', 
   assert.equal(run('cones', at('new.obj'), ...ways, '-o', at('old.obj')).code, 2);
 });
 
-test('--cells auto: another word is refused, and a file of two meshes has a number for each', () => {
-  put('two.glb', toGlb([cubeMesh(6), cubeMesh(4)]));
+/** The sum of the areas of all triangles. */
+const areaOf = ({ vertices, triangles }) =>
+  triangles.reduce((sum, t) => {
+    const [a, b, c] = t.map((v) => vertices[v]);
+    const [u, v] = [b, c].map((p) => p.map((x, k) => x - a[k]));
+    const normal = [0, 1, 2].map(
+      (k) => u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3],
+    );
+    return sum + Math.hypot(...normal) / 2;
+  }, 0);
+
+test('--cells auto: another word is refused, and the meshes of a file have cells of one size', () => {
+  const cubes = [cubeMesh(6), cubeMesh(4)];
+  put('two.glb', toGlb(cubes));
   put('cube.obj', toObj(cubeMesh(6)));
   assert.equal(run('param', at('cube.obj'), '--cells', 'many', '-o', at('x.obj')).code, 2);
   assert.equal(run('param', at('cube.obj'), '--cells', '0', '-o', at('x.obj')).code, 2);
@@ -66,10 +78,11 @@ test('--cells auto: another word is refused, and a file of two meshes has a numb
   assert.equal(both.code, 2);
   good('param', at('two.glb'), '--cells', 'auto', '-o', at('grid.glb'), '--json', at('two.json'));
   const { meshes } = read('two.json');
-  for (const { document } of meshes) {
-    assert.ok(document.options.grid.cells >= 800);
+  meshes.forEach(({ document }, i) => {
+    const perArea = document.options.grid.cells / areaOf(cubes[i]);
+    assert.ok(Math.abs(perArea / (800 / areaOf(cubes[0])) - 1) < 1e-3, `${perArea} cells`);
     assert.ok(document.components.every(({ grid }) => grid.aligned));
-  }
+  });
   const quads = ['quads', at('cube.obj'), '--force', '-o'];
   good(...quads, at('a.obj'));
   good(...quads, at('b.obj'), '--cells', 'auto');

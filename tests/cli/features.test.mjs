@@ -263,6 +263,21 @@ test('creases are found by their angle', () => {
     assert.equal(run('param', 'closed.obj', '-o', 'no.obj', '--creases', wrong).code, 2, wrong);
 });
 
+test('where no edge is as sharp as asked, a note says that lines follow none', () => {
+  put(
+    'flat.obj',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .4 .6 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n',
+  );
+  const noteOf = (mesh, ...words) => {
+    good('param', mesh, words, '-o', 'none.obj', '--force', '--json', 'none.json');
+    const { notes } = JSON.parse(read('none.json'));
+    return notes.find(({ code }) => code === 'creases-none')?.numbers;
+  };
+  assert.deepEqual(noteOf('flat.obj', '--creases', '20'), { degrees: 20, rims: 1 });
+  assert.equal(noteOf('flat.obj', '--creases', '--rims'), undefined);
+  assert.deepEqual(noteOf('closed.obj', '--creases', '179'), { degrees: 179, rims: 0 });
+});
+
 test('check looks at triangles between three features as a run does: split', () => {
   assert.match(good('check', 'closed.obj', '--creases').out, /chosen automatically\nvalid/);
   const [a, b, c] = closed.triangles[7];

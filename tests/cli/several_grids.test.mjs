@@ -5,11 +5,11 @@ import path from 'node:path';
 import test from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
 import { Random } from '../attack/random.mjs';
-import { cubeMesh, toGlb } from '../support/meshes.mjs';
+import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { inFolder } from '../support/program.mjs';
 import { flatSquare, torusMesh } from '../web/shapes.mjs';
 
-const { folder, put, run, read } = inFolder('several-grids');
+const { folder, put, run, read, good } = inFolder('several-grids');
 
 /** Twice the area of a triangle with these corners; with two coordinates, signed. */
 function doubleArea([a, b, c]) {
@@ -197,4 +197,38 @@ test('a small piece without integers has cells of the size of the others', () =>
     assert.ok(Math.abs(Math.log2(small.spacing / whole.spacing)) < 0.5, `${small.spacing}`);
     assert.ok(!notes.some(({ code }) => code === 'grid-smaller-cells'));
   }
+});
+
+test('a number of cells that was not reached is said without cones where there are none', () => {
+  const [long, round] = [300, 4];
+  const vertices = [];
+  for (let j = 0; j < round; j++)
+    for (let i = 0; i < long; i++) {
+      const [a, b] = [(2 * Math.PI * i) / long, (2 * Math.PI * j) / round];
+      const r = 1 + 0.01 * Math.cos(b);
+      vertices.push([r * Math.cos(a), r * Math.sin(a), 0.01 * Math.sin(b)]);
+    }
+  const at = (i, j) => (j % round) * long + (i % long);
+  const triangles = [];
+  for (let j = 0; j < round; j++)
+    for (let i = 0; i < long; i++) {
+      triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+      triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+    }
+  put('ring.obj', toObj({ vertices, triangles }));
+  good(
+    'param',
+    'ring.obj',
+    '--cells',
+    '300',
+    '-o',
+    'ring_out.obj',
+    '--force',
+    '--json',
+    'ring.json',
+  );
+  const { notes } = JSON.parse(read('ring.json'));
+  const { asked, cones, cells } = notes.find(({ code }) => code === 'grid-cells-far').numbers;
+  assert.deepEqual([asked, cones], [300, 0]);
+  assert.ok(cells > 0 && cells !== 300);
 });

@@ -104,6 +104,32 @@ for (const [name, mesh] of Object.entries(shapes))
       }
   });
 
+test('squares whose diagonals are equally good are cut as their images are', () => {
+  const squares = [];
+  for (let i = 0; i < 4; i++)
+    for (let j = 0; j < 5; j++) squares.push([[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]); // prettier-ignore
+  const images = squares.map((square) => square.map(([x, y]) => [-x, y]).reverse());
+  const places = new Map();
+  const faces = [...squares, ...images].map((square) =>
+    square.map((p) => places.get(p.join()) ?? (places.set(p.join(), places.size + 1), places.size)),
+  );
+  const rows = [...places.keys()].map((key) => `v ${key.replace(',', ' ')} 0`);
+  put('in.obj', [...rows, ...faces.map((face) => `f ${face.join(' ')}`), ''].join('\n'));
+  good('param', 'in.obj', '--symmetric', 'X', '-o', 'out.obj', '--force');
+  const square = (corners) => corners.map(([p]) => placeOf(p)).sort().join(' '); // prettier-ignore
+  const mapped = readers.obj(at('out.obj'));
+  const uvOf = new Map(
+    mapped.flatMap((corners) => corners.map(([p, uv]) => [placeOf(p) + square(corners), uv])),
+  );
+  assert.equal(uvOf.size, 4 * 40);
+  for (const corners of mapped)
+    for (const [p, [u, v]] of corners) {
+      const there = corners.map(([q]) => [mirrored(q)]);
+      const image = uvOf.get(placeOf(mirrored(p)) + square(there));
+      assert.deepEqual([image[0] + 0, image[1]], [-u + 0, v]);
+    }
+});
+
 test('a map with a grid is mirrored as well, and its plane is on a line', () => {
   for (const [name, mesh] of Object.entries(shapes)) {
     put('in.obj', toObj(mesh));

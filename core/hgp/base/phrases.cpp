@@ -106,7 +106,8 @@ constexpr Phrase kOthers[] = {
      "{before} components into {after}"},
     {"crack",
      "a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another "
-     "one; --weld {weld:.2g} closes it"},
+     "one[weld:; --weld {weld:.2g} closes it][spoiled:; a weld of that length would not close it: "
+     "{spoiled|triangle|triangles} would collapse or lie on others]"},
     {"t-junctions",
      "T-junctions: [partial:at least ]{vertices|boundary vertex lies|boundary vertices lie} on "
      "the boundary edge of another face (within {gap:.3g}); a weld cannot close them: the edge "
@@ -147,6 +148,9 @@ constexpr Phrase kOthers[] = {
      "compared with nothing. If the cones are for a closed surface, faces are missing here"},
     {"features-other-file",
      "the features are of another file; found by [placed:positions][!placed:vertex numbers]"},
+    {"creases-none",
+     "no edge has a dihedral angle above {degrees:g}°, so that lines follow none"
+     "[rims:; --rims makes the rims straight]"},
     {"marks-no-edges",
      "left out: {pairs|marked pair|marked pairs} of vertices without an edge between them"},
     {"features-own-cones",
@@ -284,8 +288,9 @@ constexpr Phrase kOthers[] = {
     {"grid-few-used",
      "the default cones have no map on this grid; those of --cones-for few are used instead"},
     {"grid-cells-far",
-     "{cells:.0f} cells instead of {asked:.0f}: with {perCone:.1f} cells per cone no number nearer "
-     "to it was found; ask for more cells, or for fewer cones (--cones-for few)"},
+     "{cells:.0f} cells instead of {asked:.0f}: [cones:with {perCone:.1f} cells per cone ]no "
+     "number "
+     "nearer to it was found[cones:; ask for more cells, or for fewer cones (--cones-for few)]"},
     {"grid-smaller-cells",
      "component {component} is small for cells of this size: its own are 1/{parts} as long"},
     {"grid-order", "a grid of squares needs q = 2 or 4, not {q}"},

@@ -42,4 +42,10 @@ inline double diagonal(const Box<3>& box) {
   return portable::hypot(box.size(0), box.size(1), box.size(2));
 }
 
+inline std::array<double, 3> centreOf(const Box<3>& box) {
+  std::array<double, 3> centre{};
+  for (std::size_t k = 0; k < 3; ++k) centre[k] = 0.5 * (box.low[k] + box.high[k]);
+  return centre;
+}
+
 }  // namespace hgp

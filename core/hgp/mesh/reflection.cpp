@@ -175,8 +175,7 @@ std::vector<MirrorPlane> likelyPlanes(const MeshData& mesh) {
   for (std::size_t k = 0; k < 3; ++k) {
     Vec3 normal{0.0, 0.0, 0.0};
     normal[k] = 1.0;
-    planes.push_back(
-        {std::string(1, static_cast<char>('X' + k)), normal, 0.5 * (box.low[k] + box.high[k])});
+    planes.push_back({std::string(1, static_cast<char>('X' + k)), normal, centreOf(box)[k]});
   }
   for (const Vec3& axis : eigenvectors(moments.second))
     if (!isAxis(axis)) planes.push_back({"", axis, dot(axis, moments.mean)});

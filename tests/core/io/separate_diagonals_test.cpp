@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -182,13 +183,74 @@ TEST(SeparateDiagonals, OtherPolygonsKeepTheirTriangles) {
     std::vector<Vec3> points;
     for (const int v : quads.rings[static_cast<std::size_t>(p)])
       points.push_back(quads.positions[static_cast<std::size_t>(v)]);
-    auto own = clipEars(points, tests);
+    auto own = clipEars(points, {0, 0, 0}, tests);
     for (auto& t : own)
       for (int& c : t) c += static_cast<int>(mesh.start[static_cast<std::size_t>(p)]);
     for (std::size_t k = 0; k < 2; ++k)
       changed += own[k] != (*corners)[static_cast<std::size_t>(mesh.firstTriangle(p)) + k];
   }
   EXPECT_LE(changed, 2);
+}
+
+/// A box of 4 × 4 × 6 squares, the last along the axis, around (offset, offset, offset); corner lists start anywhere.
+PolygonMesh boxOfSquares(std::size_t axis, double offset, std::mt19937& random) {
+  constexpr int kHalf = 2, kHeight = 3;
+  std::vector<Vec3> positions;
+  std::map<std::array<int, 3>, int> ids;
+  std::vector<Ring> rings;
+  const auto vertex = [&](int x, int y, int z) {
+    const auto [it, isNew] = ids.try_emplace({x, y, z}, static_cast<int>(positions.size()));
+    Vec3 p{};
+    for (std::size_t k = 0; k < 3; ++k)
+      p[(axis + k) % 3] = offset + 0.1 * (k == 0 ? z : k == 1 ? x : y);
+    if (isNew) positions.push_back(p);
+    return it->second;
+  };
+  const auto add = [&](Ring ring) {
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(random() % 4), ring.end());
+    rings.push_back(ring);
+  };
+  for (int x = -kHalf; x < kHalf; ++x)
+    for (int y = -kHalf; y < kHalf; ++y) {
+      add({vertex(x, y, kHeight), vertex(x + 1, y, kHeight), vertex(x + 1, y + 1, kHeight),
+           vertex(x, y + 1, kHeight)});
+      add({vertex(x, y, -kHeight), vertex(x, y + 1, -kHeight), vertex(x + 1, y + 1, -kHeight),
+           vertex(x + 1, y, -kHeight)});
+    }
+  for (int s = -kHalf; s < kHalf; ++s)
+    for (int z = -kHeight; z < kHeight; ++z)
+      for (const int side : {-kHalf, kHalf}) {
+        add({vertex(side, s, z), vertex(side, s + 1, z), vertex(side, s + 1, z + 1),
+             vertex(side, s, z + 1)});
+        add({vertex(s, side, z), vertex(s + 1, side, z), vertex(s + 1, side, z + 1),
+             vertex(s, side, z + 1)});
+      }
+  return meshOf(std::move(positions), rings);
+}
+
+TEST(Triangulate, EquallyGoodDiagonalsAreMirroredAsTheQuadrilateralsAre) {
+  std::mt19937 random(3);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double offset : {0.0, 7.3}) {
+      const MeshData mesh = triangulated(boxOfSquares(axis, offset, random));
+      for (std::size_t across = 0; across < 3; ++across) {
+        std::vector<int> image;
+        for (Vec3 p : mesh.positions) {
+          p[across] = 2 * offset - p[across];
+          const auto it =
+              std::find_if(mesh.positions.begin(), mesh.positions.end(), [&](const Vec3& other) {
+                return std::fabs(p[0] - other[0]) + std::fabs(p[1] - other[1]) +
+                           std::fabs(p[2] - other[2]) <
+                       1e-9;
+              });
+          image.push_back(static_cast<int>(it - mesh.positions.begin()));
+        }
+        MeshData other = mesh;
+        for (auto& t : other.triangles)
+          for (int& v : t) v = image[static_cast<std::size_t>(v)];
+        EXPECT_EQ(sortedTriangles(other), sortedTriangles(mesh)) << axis << across << offset;
+      }
+    }
 }
 
 }  // namespace

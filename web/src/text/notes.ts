@@ -11,8 +11,9 @@ const pagePhrases: Phrases = {
     '{vertices|vertex has|vertices have} the position of another one; joining would make {before} parts into ' +
     '{after}',
   crack:
-    'a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another one; joining vertices ' +
-    'closer than {weld:.2g} closes it',
+    'a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another one[weld:; joining ' +
+    'vertices closer than {weld:.2g} closes it][spoiled:; joining vertices that close would not close it: ' +
+    '{spoiled|triangle|triangles} would collapse or lie on others]',
   'angle-shortage':
     'No locally injective map on this mesh has these angles: [cones:{cones|cone} with k = {k}][afterCones: and ]' +
     '[regular:{regular|vertex|vertices} without a cone][vertices: (vertex {@vertex})][afterVertices: and ]' +
@@ -28,11 +29,13 @@ const pagePhrases: Phrases = {
   'refine-offered':
     'no map on this mesh: it may be too coarse for the prescription. On the command line, --refine splits edges, ' +
     'tries again, and writes the refined mesh',
+  'creases-none':
+    'no edge has a dihedral angle above {degrees:g}°, so that lines follow none[rims:; “Lines follow rims” makes the rims straight]',
   'method-offered': 'no map on this mesh by the method “{method}” alone',
   'grid-few-advised': 'fewer cones leave more room for a grid: move the slider to Fewer',
   'grid-cells-far':
-    '{cells:.0f} cells instead of {asked:.0f}: with {perCone:.1f} cells per cone no number nearer to it was found; ask ' +
-    'for more cells, or move the slider to Fewer',
+    '{cells:.0f} cells instead of {asked:.0f}: [cones:with {perCone:.1f} cells per cone ]no number nearer to it was ' +
+    'found[cones:; ask for more cells, or move the slider to Fewer]',
   'grid-few-used': 'the default cones have no map on this grid; fewer cones are used instead',
   'write-set-high':
     'Wrote TEXCOORD_{set}; many viewers read TEXCOORD_0 to TEXCOORD_3 only: choose one of those under UV set',
@@ -80,7 +83,7 @@ export function defectsInWords(
 /** How close vertices are to be joined according to notes: 0 for equal positions; undefined where none says so. */
 export function weldIn(notes: readonly Note[]): number | undefined {
   const found = notes.flatMap(({ code, numbers }) =>
-    code === 'weld-would-join' ? [0] : code === 'crack' ? [numbers.weld ?? 0] : [],
+    code === 'weld-would-join' ? [0] : code === 'crack' && numbers.weld ? [numbers.weld] : [],
   );
   return found.length > 0 ? Math.max(...found) : undefined;
 }

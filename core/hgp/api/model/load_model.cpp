@@ -5,6 +5,7 @@
 
 #include "hgp/api/model/cell_lengths.h"
 #include "hgp/api/model/convert_document.h"
+#include "hgp/api/model/cracks.h"
 #include "hgp/api/model/needed_repairs.h"
 #include "hgp/api/model/repaired_model.h"
 #include "hgp/api/model/written_repairs.h"

@@ -109,17 +109,24 @@ void weld(Model& model, const LoadOptions& options) {
   addNotes(model, weldNotes(facts, joins));
 }
 
+Failure nothingLeft(const Model& model) {
+  const bool isRounded = model.load.target == "glb" && !model.hasOwnVertexIds;
+  return {
+      ErrorCode::kUnsupported,
+      "topology",
+      formatText("nothing is left to parametrize: %sno triangle of %zu has an area of its own%s",
+                 isRounded ? "as glTF, with coordinates in single precision, " : "",
+                 model.source().mesh.triangles.size(),
+                 isRounded ? "; move the mesh to the origin, or name the result -o x.obj" : ""),
+      {}};
+}
+
 /// Repairs the mesh, then sets `unusable` if defects remain.
 void repairAndCheck(Model& model, const FixOptions& fix) {
   if (fix.isAny()) repair(model, fix);
   model.unusable.reset();
   if (model.mesh.triangles.empty()) {
-    model.unusable = Failure{ErrorCode::kUnsupported,
-                             "topology",
-                             formatText("nothing is left to parametrize: no triangle of %zu "
-                                        "has an area of its own",
-                                        model.source().mesh.triangles.size()),
-                             {}};
+    model.unusable = nothingLeft(model);
     return;
   }
   model.defects = findDefects(model.mesh);

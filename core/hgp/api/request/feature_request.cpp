@@ -98,6 +98,17 @@ void addMovedNote(const prescription::PrescribedFeatures& features, Notes& notes
       Note("features-other-file", {{"placed", arePlaced && features.sides.empty() ? 1 : 0}}));
 }
 
+/// Says where creases were asked for, and no edge of the file is a feature.
+void addNoneNote(const Model& model, const prescription::PrescribedFeatures& asked,
+                 Request& request) {
+  const auto hasFeatures = [](const ComponentRequest& c) { return !c.spec.features.empty(); };
+  const auto& components = request.components;
+  if (!asked.creaseDegrees || std::any_of(components.begin(), components.end(), hasFeatures))
+    return;
+  request.notes.push_back(Note(
+      "creases-none", {{"degrees", *asked.creaseDegrees}, {"rims", model.topology.loops.size()}}));
+}
+
 class FeatureFinder {
  public:
   FeatureFinder(const Model& model, const prescription::Prescription& asked)
@@ -203,6 +214,7 @@ Status addFeatures(const Model& model, const prescription::Prescription& prescri
     addRims(mesh, request.components[p].spec);
   }
   if (isForAnotherFile(model, prescription)) addMovedNote(prescription.features, request.notes);
+  addNoneNote(model, prescription.features, request);
   return checkFound(listed, marks, request.notes);
 }
 

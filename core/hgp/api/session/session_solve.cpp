@@ -184,12 +184,13 @@ bool maySkip(const Failure& failure) {
 }  // namespace
 
 /// Says where a map has far more or fewer cells than were asked for.
-static void noteCells(const GridReport& grid, RunRecord& run) {
+static void noteCells(const GridReport& grid, int cones, RunRecord& run) {
   const double asked = run.options.grid.cells;
   if (std::fabs(cellsToAsked(grid, {asked, 0.0, GridMode::kTile}) - 1.0) <= kNearCells) return;
-  run.notes.push_back(
-      Note("grid-cells-far",
-           {{"cells", grid.cells + grid.added}, {"asked", asked}, {"perCone", grid.cellsPerCone}}));
+  run.notes.push_back(Note("grid-cells-far", {{"cells", grid.cells + grid.added},
+                                              {"asked", asked},
+                                              {"cones", cones},
+                                              {"perCone", grid.cellsPerCone}}));
 }
 
 /// Whether any cells are as good as others: nothing of the map must lie on integers.
@@ -205,7 +206,8 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
   if (!shared.grid.isAsked()) return solveComponent(p, request, shared);
   if (isCounted) {
     Result<Parametrization> only = solveComponent(p, request, shared);
-    if (only && only->grid && only->grid->isAligned) noteCells(*only->grid, run);
+    if (only && only->grid && only->grid->isAligned)
+      noteCells(*only->grid, static_cast<int>(only->spec.cones.size()), run);
     return only;
   }
   const double area = surfaceArea(model->components[p].mesh);

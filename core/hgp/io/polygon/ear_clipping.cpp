@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+
+#include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
 namespace {
@@ -62,11 +65,39 @@ double earQuality(const Vec2& a, const Vec2& b, const Vec2& c) {
   return longest > 0 ? area / longest : 0;
 }
 
+/// Scores that differ by less are equal: coordinates have six digits in many files.
+constexpr double kSameScore = 1e-4;
+
+/// Of the four corners, those for which `value` is largest; the comparison is relative to `size`.
+void keepLargest(std::vector<int>& candidates, double size,
+                 const std::function<double(int)>& value) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const int i : candidates) largest = std::max(largest, value(i));
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                  [&](int i) { return value(i) < largest - kSameScore * size; }),
+                   candidates.end());
+}
+
+/// The first of two corners that a diagonal joins where both diagonals of a quadrilateral are equally good. No answer depends
+/// on where the list of corners starts or on its direction. @param q  relative to the centre of the mesh
+int cornerOfDiagonal(const std::array<Vec3, 4>& q) {
+  const auto at = [&](int i) -> const Vec3& { return q[static_cast<std::size_t>(i)]; };
+  const double size = norm(subtract(at(2), at(0))) + norm(subtract(at(3), at(1)));
+  std::vector<int> candidates{0, 1, 2, 3};
+  keepLargest(candidates, size, [&](int i) { return norm(at(i)); });
+  for (std::size_t k = 0; k < 3; ++k)
+    keepLargest(candidates, size, [&](int i) { return std::abs(at(i)[k]); });
+  for (std::size_t k = 0; k < 3; ++k)
+    keepLargest(candidates, size, [&](int i) { return at(i)[k]; });
+  return candidates.front();
+}
+
 class EarClipper {
  public:
-  EarClipper(const std::vector<Vec2>& flat, std::int64_t& tests, const DiagonalCosts* costs)
-      : flat_(flat), tests_(tests), costs_(costs) {
-    for (std::size_t i = 0; i < flat.size(); ++i) ring_.push_back(static_cast<int>(i));
+  EarClipper(const std::vector<Vec3>& polygon, const Vec3& centre, std::int64_t& tests,
+             const DiagonalCosts* costs)
+      : polygon_(polygon), centre_(centre), flat_(flatten(polygon)), tests_(tests), costs_(costs) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) ring_.push_back(static_cast<int>(i));
   }
 
   std::vector<std::array<int, 3>> clip() {
@@ -113,10 +144,19 @@ class EarClipper {
     return from % n;  // not a simple polygon: any choice that terminates
   }
 
+  /// The ear that leaves the quadrilateral of the ring's four corners with the diagonal that is taken of two equally good ones.
+  std::size_t earOfEquals() const {
+    std::array<Vec3, 4> q;
+    for (std::size_t i = 0; i < 4; ++i)
+      q[i] = subtract(polygon_[static_cast<std::size_t>(ring_[i])], centre_);
+    return static_cast<std::size_t>(cornerOfDiagonal(q) + 1) % 4;
+  }
+
   /// The valid ear of best quality; for a quadrilateral, the remaining triangle counts as well.
   std::size_t bestEar() {
     std::size_t best = 0;
     double bestScore = -std::numeric_limits<double>::infinity();
+    std::array<double, 2> scores{};  // of a quadrilateral's diagonals
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       const auto ear = earAt(i);
       double score = earQuality(at(ear[0]), at(ear[1]), at(ear[2]));
@@ -127,15 +167,19 @@ class EarClipper {
         score = -1;  // worse than any valid ear, but better than none
       }
       if (costs_) score -= costs_->of(ear[0], ear[2]) + (score > 0 ? 0 : costs_->ofInvalid);
+      scores[i % 2] = score;
       if (score > bestScore) {
         best = i;
         bestScore = score;
       }
     }
-    return best;
+    const bool isEqual = std::abs(scores[0] - scores[1]) < kSameScore;
+    return ring_.size() == 4 && isEqual ? earOfEquals() : best;
   }
 
-  const std::vector<Vec2>& flat_;
+  const std::vector<Vec3>& polygon_;
+  const Vec3 centre_;
+  const std::vector<Vec2> flat_;
   std::int64_t& tests_;
   const DiagonalCosts* costs_;
   std::vector<int> ring_;
@@ -143,9 +187,9 @@ class EarClipper {
 
 }  // namespace
 
-std::vector<std::array<int, 3>> clipEars(const std::vector<Vec3>& polygon, std::int64_t& tests,
-                                         const DiagonalCosts* costs) {
-  return EarClipper(flatten(polygon), tests, costs).clip();
+std::vector<std::array<int, 3>> clipEars(const std::vector<Vec3>& polygon, const Vec3& centre,
+                                         std::int64_t& tests, const DiagonalCosts* costs) {
+  return EarClipper(polygon, centre, tests, costs).clip();
 }
 
 }  // namespace hgp::io

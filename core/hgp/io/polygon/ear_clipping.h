@@ -20,9 +20,12 @@ struct DiagonalCosts {
 };
 
 /// Ear clipping in the plane of the polygon's Newell normal; the ear with the largest score is cut first. A polygon
-/// of n corners gives n − 2 triangles of corner numbers, in the polygon's orientation. `tests` counts up; the caller
-/// compares it with kMaxEarTests.
-std::vector<std::array<int, 3>> clipEars(const std::vector<Vec3>& polygon, std::int64_t& tests,
-                                         const DiagonalCosts* costs = nullptr);
+/// of n corners gives n − 2 triangles of corner numbers, in the polygon's orientation. Of two diagonals of a quadrilateral
+/// that are equally good, as those of a rectangle are, the one with the corner farthest from the centre is taken, then the
+/// farthest along x, y and z: quadrilaterals that mirror each other across a plane through the centre have mirrored
+/// diagonals. `tests` counts up; the caller compares it with kMaxEarTests.
+/// @param centre  of the whole mesh
+std::vector<std::array<int, 3>> clipEars(const std::vector<Vec3>& polygon, const Vec3& centre,
+                                         std::int64_t& tests, const DiagonalCosts* costs = nullptr);
 
 }  // namespace hgp::io

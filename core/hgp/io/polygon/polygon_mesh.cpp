@@ -2,6 +2,7 @@
 
 #include "hgp/io/polygon/ear_clipping.h"
 #include "hgp/io/polygon/separate_diagonals.h"
+#include "hgp/mesh/finite.h"
 
 namespace hgp::io {
 namespace {
@@ -22,6 +23,7 @@ Result<TriangleCorners> triangulate(const PolygonMesh& polygons) {
   corners.reserve(static_cast<std::size_t>(polygons.triangleCount()));
   std::int64_t tests = 0;
   std::vector<Vec3> points;
+  const Vec3 centre = centreOf(finiteBoxOf(polygons.positions));
   for (std::size_t p = 0; p + 1 < polygons.start.size(); ++p) {
     const int first = static_cast<int>(polygons.start[p]);
     const int last = static_cast<int>(polygons.start[p + 1]);
@@ -34,7 +36,7 @@ Result<TriangleCorners> triangulate(const PolygonMesh& polygons) {
       const int v = polygons.cornerVertex[static_cast<std::size_t>(c)];
       points.push_back(polygons.positions[static_cast<std::size_t>(v)]);
     }
-    for (const auto& t : clipEars(points, tests)) {
+    for (const auto& t : clipEars(points, centre, tests)) {
       corners.push_back({first + t[0], first + t[1], first + t[2]});
     }
     if (tests > kMaxEarTests) return tooManyCorners();

@@ -6,6 +6,7 @@
 
 #include "hgp/io/polygon/ear_clipping.h"
 #include "hgp/io/weld.h"
+#include "hgp/mesh/finite.h"
 
 namespace hgp::io {
 namespace {
@@ -29,6 +30,7 @@ class Separator {
       : polygons_(polygons),
         corners_(corners),
         tests_(tests),
+        centre_(centreOf(finiteBoxOf(polygons.positions))),
         vertex_(weldExact(polygons.positions).welded) {}
 
   void run() {
@@ -212,7 +214,7 @@ class Separator {
                               ofInvalid};
     bool isChanged = false;
     auto at = static_cast<std::size_t>(polygons_.firstTriangle(p));
-    for (auto t : clipEars(points, tests_, &costs)) {
+    for (auto t : clipEars(points, centre_, tests_, &costs)) {
       for (int& i : t) i += first(p);
       isChanged = isChanged || corners_[at] != t;
       corners_[at++] = t;
@@ -228,6 +230,7 @@ class Separator {
   const PolygonMesh& polygons_;
   TriangleCorners& corners_;
   std::int64_t& tests_;
+  const Vec3 centre_;
   std::vector<int> vertex_;
   std::vector<char> isTwin_;
   std::vector<Twin> twins_;

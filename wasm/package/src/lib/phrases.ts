@@ -16,8 +16,9 @@ const optionPhrases: Phrases = {
     '{vertices|vertex has|vertices have} the position of another one; weld: 0 would join {before} components into ' +
     '{after}',
   crack:
-    'a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another one; weld: {weld:.2g} ' +
-    'closes it',
+    'a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another one[weld:; weld: ' +
+    '{weld:.2g} closes it][spoiled:; a weld of that length would not close it: {spoiled|triangle|triangles} would ' +
+    'collapse or lie on others]',
   'angle-shortage':
     'No locally injective map on this mesh has these angles: [cones:{cones|cone} with k = {k}][afterCones: and ]' +
     '[regular:{regular|vertex|vertices} without a cone][vertices: (vertex {@vertex})][afterVertices: and ]' +
@@ -34,14 +35,17 @@ const optionPhrases: Phrases = {
   'refine-offered':
     'no map on this mesh: it may be too coarse for the prescription. refine: true splits edges, tries again, and ' +
     'writes the refined mesh',
+  'creases-none':
+    'no edge has a dihedral angle above {degrees:g}°, so that lines follow none[rims:; rims: true in features ' +
+    'makes the rims straight]',
   'method-offered':
     "no map on this mesh by the method “{method}” alone; with method: 'auto' others are tried after it",
   'grid-few-advised': "fewer cones leave more room for a grid: try conesFor: 'few'",
   'grid-few-used':
     "the default cones have no map on this grid; those of conesFor: 'few' are used instead",
   'grid-cells-far':
-    '{cells:.0f} cells instead of {asked:.0f}: with {perCone:.1f} cells per cone no number nearer to it was found; ask ' +
-    "for more cells, or for fewer cones (conesFor: 'few')",
+    '{cells:.0f} cells instead of {asked:.0f}: [cones:with {perCone:.1f} cells per cone ]no number nearer to it was ' +
+    "found[cones:; ask for more cells, or for fewer cones (conesFor: 'few')]",
   'grid-no-integers':
     'no choice of integers kept all triangles positive and all angles as asked at {cells:.0f} cells ({perCone:.1f} ' +
     'per cone)[cutShort:; further attempts would have taken longer than the map itself][near:: cones {@edge} are ' +

@@ -526,6 +526,25 @@ test('parts with lists of their sharp edges are improved', (t) => {
   }
 });
 
+test('cells are as many as asked where integers turn triangles away from the map as solved', (t) => {
+  const part = path.join(shared, '../cases/features/deckel_rem.obj');
+  if (!existsSync(part)) return t.skip(`${part} is absent`);
+  good(
+    'param',
+    part,
+    '--creases',
+    '--cells',
+    '800',
+    '-o',
+    'part.obj',
+    '--force',
+    '--json',
+    'part.json',
+  );
+  const [{ grid }] = JSON.parse(read('part.json')).components;
+  assert.ok(grid.aligned && Math.abs(grid.cells / 800 - 1) < 0.1, `${grid.cells} cells`);
+});
+
 test('parts with lists of their sharp edges', (t) => {
   const folder = path.join(shared, '../cases/features');
   if (!existsSync(folder)) return t.skip(`${folder} is absent`);

@@ -23,4 +23,8 @@ std::vector<FaceId> coneAndBoundaryFaces(const TriMesh& mesh, const std::vector<
 /// Frames of the given faces from the combed field.
 Frames fieldFrames(const SeamRotations& seams, std::vector<FaceId> faces);
 
+/// The frame of each triangle that a map turns into the positive real axis. @param z  per copy
+PerFace<double> framesOfMap(const Geometry& geometry, const CutMesh& cut,
+                            const std::vector<Complex>& z);
+
 }  // namespace hgp

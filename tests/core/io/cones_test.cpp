@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdlib>
 
 #include "hgp/base/turns.h"
 #include "hgp/io/cone_files.h"
@@ -63,6 +64,19 @@ TEST(ConesJson, RefusesWhatItDoesNotUnderstand) {
   EXPECT_TRUE(isRefused("a.json", R"({"q":4,"cones":[{"vertex":1,"k":2,"position":[1,2]}]})"));
   EXPECT_TRUE(isRefused("a.json", R"({"q":4,"boundaries":[{"loop":0}]})"));
   EXPECT_TRUE(isRefused("a.json", "{\"q\":" + std::string(100000, '[')));
+}
+
+TEST(ConesJson, CreasesAreAnAngleBelowAHalfTurn) {
+  const auto text = [](const char* angle) {
+    return std::string(R"({"q":4,"features":{"creases":)") + angle + "}}";
+  };
+  for (const char* angle : {"0", "-1", "180", "1e9", "true", "\"30\"", "null"})
+    EXPECT_TRUE(isRefused("a.json", text(angle))) << angle;
+  for (const char* angle : {"0.5", "30", "179.5"}) {
+    const Result<prescription::Prescription> read = prescription::readConesJson(text(angle));
+    ASSERT_TRUE(read) << angle;
+    EXPECT_EQ(*read->features.creaseDegrees, std::atof(angle));
+  }
 }
 
 TEST(ConesJson, RefusesDeepNestingWhateverStandsBetween) {

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "along.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/along/along_features.h"
+#include "hgp/parametrize/along/straight_run.h"
 #include "hgp/quads/quads.h"
 #include "support/creases.h"
 
@@ -185,6 +187,57 @@ TEST(AlongGrid, TheChoiceOfIntegersHasABudget) {
   const std::optional<Note> exhausted = reasonWith(1.01 * std::pow(integers, 3) / 6e10);
   ASSERT_TRUE(exhausted);
   EXPECT_EQ(exhausted->code, "features-grid-work");
+}
+
+TEST(AlongGrid, WhereFramesLeaveNoMapOneWithoutThemShowsOthers) {
+  int misled = 0;
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    PreparedSurface surface(shape.mesh);
+    std::vector<StageTime> times;
+    const ParametrizeOptions options;
+    const Result<StraightSetup> setup =
+        prepareStraight(surface, shape.features, HolonomySpec{}, options, times);
+    ASSERT_TRUE(setup) << shape.name;
+    if (setup->base.empty()) continue;
+    std::vector<Round> rounds;
+    const auto solved = StraightRun(shape.mesh, *setup, options, rounds).run();
+    ASSERT_TRUE(solved && solved->certificate.isCertified) << shape.name;
+    const SeamlessSetup& seamless = setup->seamless;
+    GridValues values{
+        1.0, {}, framesOfMap(seamless.context->geometry, seamless.cut, solved->program.z)};
+    rounds.clear();
+    const auto again = StraightRun(shape.mesh, *setup, options, rounds, &values).run();
+    EXPECT_TRUE(again && again->certificate.isCertified) << shape.name;
+    EXPECT_EQ(rounds.size(), 1u) << shape.name;
+    for (double& angle : values.angle.raw())
+      angle += 2.0;  // no triangle can keep within a quarter turn of these
+    rounds.clear();
+    const auto other = StraightRun(shape.mesh, *setup, options, rounds, &values).run();
+    EXPECT_TRUE(other && other->certificate.isCertified) << shape.name;
+    misled += rounds.size() > 1 ? 1 : 0;  // a disk turns as a whole
+  }
+  EXPECT_GT(misled, 2);
+}
+
+TEST(AlongGrid, FramesOfAMapTurnBackWithIt) {
+  const test::CreasedShape shape = test::creasedShapes().front();
+  PreparedSurface surface(shape.mesh);
+  std::vector<StageTime> times;
+  const auto setup = prepareStraight(surface, shape.features, HolonomySpec{}, {}, times);
+  ASSERT_TRUE(setup);
+  const SeamlessSetup& seamless = setup->seamless;
+  std::vector<Round> rounds;
+  const ParametrizeOptions options;
+  std::vector<Complex> z =
+      StraightRun(shape.mesh, *setup, options, rounds).solveWithoutFrames().program.z;
+  const PerFace<double> before = framesOfMap(seamless.context->geometry, seamless.cut, z);
+  constexpr double kTurn = 0.3;
+  for (Complex& p : z) p *= portable::polar(2.0, kTurn);
+  const PerFace<double> after = framesOfMap(seamless.context->geometry, seamless.cut, z);
+  for (FaceId f : shape.mesh.faces()) {
+    const Complex turn = portable::polar(1.0, before[f] - after[f]);
+    EXPECT_NEAR(portable::arg(turn), kTurn, 1e-12);
+  }
 }
 
 }  // namespace

@@ -184,7 +184,10 @@ bool maySkip(const Failure& failure) {
 }  // namespace
 
 /// Says where a map has far more or fewer cells than were asked for.
-static void noteCells(const GridReport& grid, int cones, RunRecord& run) {
+static void noteCells(const Parametrization& only, RunRecord& run) {
+  const GridReport& grid = *only.grid;
+  // Those along features cannot be chosen.
+  const std::size_t cones = only.spec.features.empty() ? only.spec.cones.size() : 0;
   const double asked = run.options.grid.cells;
   if (std::fabs(cellsToAsked(grid, {asked, 0.0, GridMode::kTile}) - 1.0) <= kNearCells) return;
   run.notes.push_back(Note("grid-cells-far", {{"cells", grid.cells + grid.added},
@@ -206,8 +209,7 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
   if (!shared.grid.isAsked()) return solveComponent(p, request, shared);
   if (isCounted) {
     Result<Parametrization> only = solveComponent(p, request, shared);
-    if (only && only->grid && only->grid->isAligned)
-      noteCells(*only->grid, static_cast<int>(only->spec.cones.size()), run);
+    if (only && only->grid && only->grid->isAligned) noteCells(*only, run);
     return only;
   }
   const double area = surfaceArea(model->components[p].mesh);

@@ -75,7 +75,7 @@ class GridAligner {
       return std::move(out_);
     }
     prepareChoice();
-    findFrames();
+    frames_ = framesOfMap(setup_.seamless.context->geometry, setup_.seamless.cut, z_);
     for (const double factor : kLineFactors) {
       const double tried = static_cast<double>(report.attempts.size());
       if (!goOn(0.2 + 0.7 * tried / std::size(kLineFactors)) || attempt(factor)) break;
@@ -197,20 +197,6 @@ class GridAligner {
     }
   }
 
-  /// The map as solved turns every triangle by less than a quarter turn against these.
-  void findFrames() {
-    const Geometry& geometry = setup_.seamless.context->geometry;
-    frames_ = PerFace<double>(at(mesh_.faceCount()), 0.0);
-    for (FaceId f : mesh_.faces()) {
-      const LinearParts parts = linearParts(geometry, f);
-      Complex similar = 0.0;
-      for (int k = 0; k < 3; ++k)
-        similar +=
-            parts.similarity[at(k)] * z_[at(setup_.seamless.cut.copy[TriMesh::halfedge(f, k)].i)];
-      frames_[f] = -portable::arg(similar);
-    }
-  }
-
   /// One density; true when there is nothing more to do.
   bool attempt(double factor) {
     const double scale = factor * scale_;
@@ -308,7 +294,8 @@ class GridAligner {
   std::vector<int> variables_;  ///< real unknowns that integers determine
   Eigen::MatrixXd B_, covariance_;
   Eigen::VectorXd y0_;
-  PerFace<double> frames_;
+  PerFace<double>
+      frames_;  ///< of the map as solved, which turns no triangle by a quarter turn against them
   std::vector<LineDemand> demands_;
   double scale_ = 1.0;
   double work_;  ///< multiply-adds left for choices

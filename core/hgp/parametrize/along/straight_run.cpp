@@ -67,15 +67,19 @@ std::optional<StraightAttempt> StraightRun::run() {
   static constexpr Weighting kWeightings[] = {{"straight features", 1.0, 1e-4},
                                               {"straight features, even weights", 0.0, 1e-4},
                                               {"straight features, light distortion", 1.0, 1e-2}};
-  for (const Weighting& weighting : kWeightings)
+  for (const Weighting& weighting : kWeightings) {
     if (isOver(weighting, setup_.base)) return isCancelled_ ? std::nullopt : std::move(best_);
-  if (!isStrained_ || grid_) return std::move(best_);
-  // Frames contradict each other or the lengths: the map without them shows where some are needed.
+    if (grid_ && isStrained_) break;
+  }
+  if (!isStrained_) return std::move(best_);
+  // Frames contradict each other, the lengths or the integers: the map without them shows where some are needed.
   static constexpr Weighting kFrameless[] = {
       {"straight features, first without frames", 1.0, 1e-4},
       {"straight features, even weights, first without frames", 0.0, 1e-4}};
-  for (const Weighting& weighting : kFrameless)
+  for (const Weighting& weighting : kFrameless) {
     if (isOver(weighting, {})) return isCancelled_ ? std::nullopt : std::move(best_);
+    if (grid_) break;
+  }
   return std::move(best_);
 }
 
@@ -92,13 +96,13 @@ bool StraightRun::isOver(const Weighting& weighting, std::vector<FaceId> hard) {
     if (isCancelled_) return true;
     const std::vector<FaceId> wrong = attempt.wrong;
     const bool isInfeasible = socp::isWithoutPoint(attempt.program.status);
+    if (grid_ && hard.empty() && !isInfeasible) takeFrames(attempt);
     if (!best_ || attempt.certificate.isCertified || attempt.wrongCount < best_->wrongCount)
       best_ = std::move(attempt);
     if (best_->certificate.isCertified) return true;
-    isStrained_ = isStrained_ || isInfeasible;
-    if (isInfeasible && growth == 0 && (grid_ || !findShort(weighting))) return true;
-    if (isInfeasible || wrong.empty()) return false;
-    if (grid_ && static_cast<double>(wrong.size()) > kHopeless * mesh_.faceCount()) return true;
+    isStrained_ = isStrained_ || isInfeasible || isHopeless(wrong);
+    if (isInfeasible && growth == 0 && !grid_ && !findShort(weighting)) return true;
+    if (isInfeasible || wrong.empty() || isHopeless(wrong)) return false;
     const std::vector<FaceId> more = growFaces(mesh_, wrong, 1);
     const std::size_t before = hard.size();
     hard.insert(hard.end(), more.begin(), more.end());
@@ -107,6 +111,10 @@ bool StraightRun::isOver(const Weighting& weighting, std::vector<FaceId> hard) {
     if (hard.size() == before) return false;
   }
   return false;
+}
+
+bool StraightRun::isHopeless(const std::vector<FaceId>& wrong) const {
+  return grid_ && static_cast<double>(wrong.size()) > kHopeless * mesh_.faceCount();
 }
 
 /// Looks whether the lengths of feature edges contradict each other; false if that is so, or if it was cancelled.
@@ -151,7 +159,7 @@ StraightAttempt StraightRun::solve(const Weighting& weighting, int growth,
   Frames frames = fieldFrames(seamless.seams, hard);
   if (grid_)
     for (std::size_t j = 0; j < frames.faces.size(); ++j)
-      frames.angles[j] = grid_->angle[frames.faces[j]];
+      frames.angles[j] = (frames_.raw().empty() ? grid_->angle : frames_)[frames.faces[j]];
   attempt.program = solveStraight(straightSystemOf(setup_, system), frames, program);
   attempt.map = grid_ ? plainMap(mesh_, seamless.cut, attempt.program.z)
                       : layOut(mesh_, seamless, attempt.program.z);
@@ -160,6 +168,23 @@ StraightAttempt StraightRun::solve(const Weighting& weighting, int growth,
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   record(weighting, growth, hard.size(), attempt, spent.count());
   return attempt;
+}
+
+void StraightRun::takeFrames(const StraightAttempt& attempt) {
+  const SeamlessSetup& seamless = setup_.seamless;
+  frames_ = framesOfMap(seamless.context->geometry, seamless.cut, attempt.program.z);
+  PerFace<char> isKnown(at(mesh_.faceCount()), 1);
+  for (FaceId f : attempt.certificate.orientation.notPositive) isKnown[f] = 0;
+  for (FaceId f : attempt.certificate.orientation.notPositive) {
+    Complex turn = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId twin = mesh_.twin(TriMesh::halfedge(f, k));
+      if (!twin.isValid() || !isKnown[TriMesh::face(twin)]) continue;
+      const FaceId beside = TriMesh::face(twin);
+      turn += portable::polar(1.0, frames_[beside] - grid_->angle[beside]);
+    }
+    frames_[f] = grid_->angle[f] + (turn != 0.0 ? portable::arg(turn) : 0.0);
+  }
 }
 
 void StraightRun::record(const Weighting& weighting, int growth, std::size_t hardCount,

@@ -52,6 +52,8 @@ class StraightRun {
   bool findShort(const Weighting& weighting);
   StraightOptions optionsOf(const Weighting& weighting);
   StraightAttempt solve(const Weighting& weighting, int growth, const std::vector<FaceId>& hard);
+  bool isHopeless(const std::vector<FaceId>& wrong) const;
+  void takeFrames(const StraightAttempt& attempt);
   void record(const Weighting& weighting, int growth, std::size_t hardCount,
               const StraightAttempt& attempt, double seconds);
 
@@ -61,6 +63,9 @@ class StraightRun {
   std::vector<Round>& rounds_;
   const GridValues* grid_;
   Verifier verifier_;
+  /// On a grid: frames of the map without any, and at its triangles that are not positive those of the map as solved, turned as
+  /// their neighbours are. Empty: those of the map as solved.
+  PerFace<double> frames_;
   std::optional<StraightAttempt> best_;
   std::vector<HalfedgeId> short_;
   bool isStrained_ = false;  ///< some program had no point, although lengths are possible

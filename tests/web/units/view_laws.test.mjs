@@ -7,21 +7,12 @@ import { MeshBVH } from 'three-mesh-bvh';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh } from '../../support/meshes.mjs';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
+import { Canvas, painted as drawn, paper } from './canvases.mjs';
 import { plainFacts } from './plain_facts.mjs';
 
 // What the camera and the markers ask of a browser.
 globalThis.matchMedia ??= () => ({ matches: true });
-const drawn = [];
-const context = new Proxy({}, { get: (_, name) => (...args) => void drawn.push([name, ...args]), set: () => true }); // prettier-ignore
-globalThis.document ??= { createElement: () => ({ getContext: () => context }) };
-class Canvas extends EventTarget {
-  style = {};
-  clientHeight = 100;
-  ownerDocument = new EventTarget();
-  getRootNode = () => new EventTarget();
-  setPointerCapture() {}
-  getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
-}
+globalThis.document ??= paper;
 const { Orbit } = await import('../../../web/src/views/camera.ts');
 const { drawWhenUploaded } = await import('../../../web/src/views/sliced_uploads.ts');
 const { ConeMarkers } = await import('../../../web/src/views/cone_markers.ts');

@@ -10,6 +10,7 @@ import type { Analysis, OutputFile, Surface } from '../model/types';
 import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
 import { analyse, compareWithFile, urisOf, type FaceValues } from './geometry/analyse';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
+import { flatPositions } from './geometry/flat_positions';
 import { loopSegments } from './geometry/handle_loops';
 import { Mirror } from './geometry/mirror_plane';
 import { overlayColours } from './geometry/overlay_colours';
@@ -104,15 +105,6 @@ function packed(normals: Float32Array): Int8Array {
 function packedAtCorners(normals: Float32Array, triangles: Uint32Array): Int8Array {
   const atVertices = new Int32Array(packed(normals).buffer);
   return new Int8Array(Int32Array.from(triangles, (v) => atVertices[v]).buffer);
-}
-
-function flat(uv: Float32Array): Float32Array {
-  const out = new Float32Array((uv.length / 2) * 3);
-  for (let c = 0; c < uv.length / 2; c++) {
-    out[3 * c] = uv[2 * c];
-    out[3 * c + 1] = uv[2 * c + 1];
-  }
-  return out;
 }
 
 const samplesOn = ({ places: positions, triangles }: Kept, spacing: number): Sample[] =>
@@ -214,7 +206,7 @@ const calls: GeometryCalls = {
     const { places, triangles } = surfaceOf(id);
     return bvhOf(places, triangles);
   },
-  mapBvh: (id) => bvhOf(flat(mapOf(id).cornerUv)),
+  mapBvh: (id) => bvhOf(flatPositions(mapOf(id).cornerUv)),
   opposite(id, vertex) {
     const surface = surfaceOf(id);
     const mirror = mirrors.get(surface) ?? new Mirror(surface);

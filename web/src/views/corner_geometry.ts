@@ -5,6 +5,7 @@ import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { SerializedBvh } from '../model/scene';
 import type { Solution, Surface } from '../model/types';
+import { flatPositions } from '../services/geometry/flat_positions';
 import { cornerNormals, cornerPositions, FlatAttribute } from './gathered_attribute';
 
 /** `same`: a geometry of the same surface, whose positions and normals are taken from it, with what the card has. */
@@ -61,8 +62,16 @@ export function bvhFrom(serialized: SerializedBvh, geometry: BufferGeometry): Me
 
 const smallest = 30_000; // corners: a tree over fewer is built synchronously
 
+const treeOptions = { indirect: true, targetLeafSize: 10 };
+
 /** A tree over a small geometry, built synchronously; undefined if that would take long. */
-export const bvhAtOnce = (geometry: BufferGeometry): MeshBVH | undefined =>
-  (geometry.index ?? geometry.getAttribute('position')).count <= smallest
-    ? new MeshBVH(geometry, { indirect: true, targetLeafSize: 10 })
-    : undefined;
+export function bvhAtOnce(geometry: BufferGeometry): MeshBVH | undefined {
+  const position = geometry.getAttribute('position');
+  if ((geometry.index ?? position).count > smallest) return undefined;
+  if (position.itemSize === 3) return new MeshBVH(geometry, treeOptions);
+  // A map: a tree over its two numbers per corner would have wrong boxes.
+  const flat = new BufferAttribute(flatPositions(position.array), 3);
+  const tree = new MeshBVH(new BufferGeometry().setAttribute('position', flat), treeOptions);
+  const serialized = MeshBVH.serialize(tree, { cloneBuffers: false });
+  return bvhFrom(serialized as unknown as SerializedBvh, geometry);
+}

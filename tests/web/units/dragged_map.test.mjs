@@ -173,6 +173,25 @@ test('a cone that is dropped out of reach is promised a map, without further ste
     assert.equal(app.doc.promised.prescription.cones[0].vertex, 20);
   }));
 
+test('a drag that is given up asks for nothing more, wherever its steps were', () =>
+  inItsTime(async (pass) => {
+    for (const wait of [10, 100, 150, 220]) {
+      const script = scripted({ 20: 9 }, { took: 60 });
+      const app = opened(script, { now: { handles: [1, null] } });
+      const over = beginLive(app, 0);
+      await pass(70);
+      moveTo(app, 20);
+      await pass(wait);
+      cancelLive(app);
+      await over;
+      const asked = script.calls.length;
+      assert.ok(asked > 0);
+      await pass(5000);
+      assert.equal(script.calls.length, asked, `after ${wait} ms`);
+      assert.equal(app.doc.live, undefined);
+    }
+  }));
+
 test('where handles are prescribed the steps go on, since rotations follow the path; what fails is not promised', () =>
   inItsTime(async (pass) => {
     const script = scripted({ 20: 3 });

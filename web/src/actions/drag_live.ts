@@ -152,8 +152,8 @@ function show(app: App, hold: Hold): void {
 }
 
 /**
- * Takes the map to a vertex, in several steps if it is far, until the hand has moved on. Once the cone is dropped a run
- * is faster than further steps, but would not know prescribed handles, whose rotations follow the path.
+ * Takes the map to a vertex, in several steps if it is far, until the hand has moved on or the drag has ended. Once the cone
+ * is dropped a run is faster than further steps, but would not know prescribed handles, whose rotations follow the path.
  */
 async function approach(
   app: App,
@@ -168,7 +168,7 @@ async function approach(
   while (frame.state === 'heat' && frame.isApproaching) {
     await turnOf(hold, going, resting);
     const isStepping = !hold.isDropped || hasHandles(app.doc.prescription);
-    if (going.wanted !== vertex || !isStepping) break;
+    if (going.wanted !== vertex || hold.going !== going || !isStepping) break;
     const begin = performance.now();
     frame = await drag.dragTo(vertex);
     if (frame.state !== 'superseded') going.approached = since(begin);

@@ -1,0 +1,109 @@
+// When a drag goes nearer to a vertex out of its reach, and what it remembers of its way. The core is a script here;
+// drag.test.mjs drags in the built one.
+
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import test from 'node:test';
+import { built } from './support.mjs';
+
+const { CoreDrag } = await import(path.join(built, 'lib/drag.js'));
+
+/**
+ * A drag from `start` in a core that prepares positions towards a vertex as `steps` lists them: −1 is none. A vertex is
+ * certified once a step has reached it; the first that is asked for is near.
+ */
+function scripted(start, steps, { wantsPreparation = false } = {}) {
+  const calls = [];
+  let at = start;
+  let isFreed = false;
+  const near = (vertex) => vertex === at;
+  class Drag {
+    moveTo(vertex) {
+      calls.push(`to ${vertex}`);
+      const state = near(vertex) ? 'certified' : 'heat';
+      return { state, wantsPreparation: state === 'heat' || wantsPreparation, cones: '{}' };
+    }
+    prepareToward(vertex) {
+      const reached = steps.shift();
+      calls.push(`toward ${vertex}`);
+      if (reached === undefined) return { error: JSON.stringify({ code: 'internal', message: 'scripted' }) }; // prettier-ignore
+      if (reached >= 0) at = reached;
+      return { vertex: reached };
+    }
+    prepareHere() {
+      calls.push('here');
+      return {};
+    }
+    delete() {
+      isFreed = true;
+    }
+  }
+  const map = { current: () => map, beginDrag: () => ({}) };
+  const drag = new CoreDrag({ Drag }, map, start);
+  return { drag, calls, isFreed: () => isFreed, take: () => calls.splice(0) };
+}
+
+test('whatever vertex is reached on the way, it counts as nearer, the first of the mesh as well', () => {
+  for (const vertices of [
+    [4, 9, 20],
+    [9, 0, 20],
+    [0, 3, 20],
+    [9, 3, 0],
+  ]) {
+    // prettier-ignore
+    const goal = vertices.at(-1);
+    const { drag, take } = scripted(30, [...vertices]);
+    const first = drag.dragTo(goal);
+    assert.deepEqual([first.state, first.isApproaching], ['heat', true], 'its scale first');
+    assert.deepEqual(take(), [`to ${goal}`]);
+    vertices.forEach((reached, i) => {
+      const frame = drag.dragTo(goal);
+      const isThere = reached === goal;
+      assert.deepEqual([frame.state, frame.isApproaching, frame.vertex], [isThere ? 'certified' : 'heat', !isThere, goal]); // prettier-ignore
+      assert.deepEqual(take(), [`to ${goal}`, `toward ${goal}`, `to ${goal}`]);
+      assert.deepEqual(drag.path, [...vertices.slice(0, i + 1), reached]);
+    });
+    // It is there: nothing is prepared any more.
+    drag.dragTo(goal);
+    assert.deepEqual(take(), [`to ${goal}`]);
+  }
+});
+
+test('where no nearer position has a map, the drag no longer approaches and remembers none', () => {
+  const { drag, take } = scripted(0, [5, -1, 7]);
+  const approaching = [20, 20, 20].map((vertex) => drag.dragTo(vertex).isApproaching);
+  assert.deepEqual(approaching, [true, true, false]);
+  assert.deepEqual(drag.path, [5, 5]);
+  take();
+  // Asked once more it begins anew, with the scale.
+  assert.equal(drag.dragTo(20).isApproaching, true);
+  assert.deepEqual(take(), ['to 20']);
+  // Another vertex is no further step towards the one before.
+  assert.equal(drag.dragTo(21).isApproaching, true);
+  assert.deepEqual(take(), ['to 21']);
+});
+
+test('a neighbourhood is prepared once, where the core wants it, and kept in the path', () => {
+  for (const wantsPreparation of [true, false]) {
+    const { drag, take } = scripted(0, [], { wantsPreparation });
+    drag.prepare();
+    assert.deepEqual(take(), [], 'before anything was asked for');
+    assert.equal(drag.dragTo(0).state, 'certified');
+    take();
+    drag.prepare();
+    drag.prepare();
+    assert.deepEqual(take(), wantsPreparation ? ['here'] : []);
+    assert.deepEqual(drag.path, wantsPreparation ? [0, 0] : [0]);
+    drag.dragTo(0);
+    drag.prepare();
+    assert.deepEqual(drag.path, wantsPreparation ? [0, 0] : [0], 'each position once');
+  }
+});
+
+test('a drag whose core fails on the way has ended', () => {
+  const { drag, isFreed } = scripted(0, []);
+  drag.dragTo(20);
+  assert.throws(() => drag.dragTo(20), { code: 'internal' });
+  assert.ok(isFreed());
+  assert.throws(() => drag.dragTo(20), { code: 'usage' });
+});

@@ -3,7 +3,14 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { BoxGeometry, Mesh, MeshBasicMaterial, PerspectiveCamera } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  Mesh,
+  MeshBasicMaterial,
+  PerspectiveCamera,
+} from 'three';
 import { CanvasView, nearestOf } from '../../../web/src/views/canvas_view.ts';
 import { Canvas, drawsIn, endsEmpty, withCanvases } from './canvases.mjs';
 
@@ -32,13 +39,14 @@ function shown(rest, canvas = new Canvas()) {
   const view = new BoxView(canvas);
   view.draw();
   rest();
-  canvas.taken();
+  assert.equal(canvas.taken().findLast(([name]) => name === 'clearColor')[4], 0, 'transparent');
   return { view, canvas };
 }
 
 test('a view is drawn once for any number of changes, and never without one', () =>
   withCanvases(({ frame, rest }) => {
     const { view, canvas } = shown(rest);
+    assert.ok(canvas.options.antialias && canvas.options.alpha);
     assert.equal(frame(), 0, 'it rests');
     const { steps } = view;
     for (let i = 0; i < 3; i++) view.draw();
@@ -151,6 +159,41 @@ test('nothing is drawn without a context; when it is back everything is drawn ag
     assert.deepEqual([told, view.restored], [[true, false], 1]);
   }));
 
+test('arrays that are too large for one frame are sent before anything is drawn, and then nothing more', () =>
+  withCanvases(({ frame, rest }) => {
+    const { view, canvas } = shown(rest);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * 10 ** 6), 3));
+    const large = new Mesh(geometry, new MeshBasicMaterial());
+    large.frustumCulled = false;
+    view.scene.add(large);
+    view.draw();
+    let [sent, draws] = [0, 0];
+    for (let i = 0; i < 40 && frame() > 0; i++) {
+      const calls = canvas.taken();
+      const pieces = calls.filter(([name]) => name === 'bufferSubData').map(([, , , piece]) => piece.byteLength); // prettier-ignore
+      for (const size of pieces) sent += size;
+      draws = drawsIn(calls);
+      if (i > 0 && sent < 12 * 10 ** 6) assert.equal(draws, 0, 'not before all is there');
+    }
+    assert.deepEqual([sent, draws], [12 * 10 ** 6, 2]);
+    assert.equal(canvas.dataset.pending, undefined, 'it rests');
+    // Without its context nothing waits any more: the renderer sends everything again.
+    geometry.getAttribute('position').needsUpdate = true;
+    const other = new Mesh(geometry.clone(), large.material);
+    other.frustumCulled = false;
+    view.scene.add(other);
+    view.draw();
+    frame();
+    frame();
+    canvas.dispatchEvent(new Event('webglcontextlost', { cancelable: true }));
+    rest();
+    canvas.taken();
+    canvas.dispatchEvent(new Event('webglcontextrestored'));
+    frame();
+    assert.ok(drawsIn(canvas.taken()) > 0, 'in the first frame');
+  }));
+
 test('warming leaves no trace: on a hidden canvas it is emptied again, a visible one is not touched', () =>
   withCanvases(async ({ rest }) => {
     const thing = () => new Mesh(new BoxGeometry(), new MeshBasicMaterial());
@@ -189,13 +232,15 @@ test('a picture is as wide as asked for, at most six times the view; the view is
       assert.deepEqual(taken.pop(), [is, is / 2, false, 'image/png'], `${width} pixels wide`);
       assert.equal(view.steps, steps + 1, 'prepared as every drawing');
       assert.deepEqual([canvas.width, canvas.height], [200, 100]);
-      assert.ok(!endsEmpty(canvas.taken()), 'and drawn');
+      const calls = canvas.taken();
+      assert.ok(drawsIn(calls) === 1 && !endsEmpty(calls), 'and drawn');
     }
     globalThis.devicePixelRatio = 2;
     await view.picture(100);
     assert.equal(taken.pop()[0], 400, 'as sharp as the screen');
     blob = null;
     await assert.rejects(view.picture(100), Error);
+    blob = new Blob(['a picture']);
     canvas.clientHeight = 0;
     await assert.rejects(view.picture(100), Error, 'hidden');
     canvas.clientHeight = 100;

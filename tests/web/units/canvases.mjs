@@ -9,7 +9,14 @@ const brush = new Proxy({}, { get: (_, name) => (...all) => void painted.push([n
 export const paper = { createElement: () => ({ getContext: () => brush }) };
 
 /** What a test looks for among the calls of a graphics card. */
-const noted = new Set(['clear', 'clearColor', 'drawArrays', 'drawElements', 'scissor']);
+const noted = new Set([
+  'bufferSubData',
+  'clear',
+  'clearColor',
+  'drawArrays',
+  'drawElements',
+  'scissor',
+]);
 
 /** A canvas that is shown at (20, 10) of the window, as large as `size` says. */
 export class Canvas extends EventTarget {
@@ -32,8 +39,9 @@ export class Canvas extends EventTarget {
     const { clientWidth: width, clientHeight: height } = this;
     return { left: 20, top: 10, right: 20 + width, bottom: 10 + height, width, height };
   }
-  getContext(kind) {
+  getContext(kind, options) {
     if (this.#card) return this.#card;
+    this.options = options;
     const { context } = graphicsCard(this, kind);
     const note = (name, all) => this.calls.push([name, ...all]);
     this.#card = new Proxy(context, {

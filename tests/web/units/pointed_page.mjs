@@ -73,8 +73,15 @@ export const besideInMap = (page, v) => {
   return inMap(page, [0, 1].map((i) => 0.9 * at[i] + 0.1 * middle[i])); // prettier-ignore
 };
 export const uvOf = ({ solution }, end) => [...solution.result.uv.subarray(2 * end, 2 * end + 2)];
-/** Whether the surface turns a vertex towards the camera. */
-export const isInFront = ({ model }, v) => {
-  const at = new Vector3(...mesh.vertices[v]);
-  return at.clone().normalize().dot(model.camera.position.clone().sub(at).normalize()) > 0.4;
-};
+/** How much the triangles around a vertex are turned towards the camera, −1 to 1: the least and the most. */
+export function facingOf({ model }, v) {
+  const all = mesh.triangles
+    .filter((t) => t.includes(v))
+    .map((t) => {
+      const [a, b, c] = t.map((w) => new Vector3(...mesh.vertices[w]));
+      const normal = b.clone().sub(a).cross(c.clone().sub(a)).normalize();
+      return normal.dot(model.camera.position.clone().sub(a).normalize());
+    });
+  return [Math.min(...all), Math.max(...all)];
+}
+export const isInFront = (page, v) => facingOf(page, v)[0] > 0.1;

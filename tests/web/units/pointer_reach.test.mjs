@@ -1,0 +1,97 @@
+// Laws of what a pointer takes: which cone or corner is near enough, on the side of the surface that is seen.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { withCanvases } from './canvases.mjs';
+import { mesh } from './cube_view.mjs';
+import { facingOf, isInFront, onModel, opened, surface } from './pointed_page.mjs';
+
+test('a click near a corner places the cone at the corner, unless Alt is held', () =>
+  withCanvases(async ({ rest }) => {
+    const page = opened({ rest, hasMap: false });
+    const { doc, model, click } = page;
+    const seen = mesh.vertices.map((_, v) => v).filter((v) => isInFront(page, v));
+    const corner = 7; // of the cube
+    assert.ok(seen.includes(corner));
+    const around = [...surface.neighbours.subarray(surface.neighbourStart[corner], surface.neighbourStart[corner + 1])]; // prettier-ignore
+    model.orbit.move(0, 0, 5); // an edge is a few pixels long
+    const from = onModel(page, corner);
+    const beside = onModel(
+      page,
+      around.find((v) => seen.includes(v)),
+    );
+    // Nearer to the neighbour, and still near the corner.
+    const place = [0, 1].map((i) => 0.6 * beside[i] + 0.4 * from[i]);
+    await click(model, place, { altKey: true });
+    assert.notEqual(doc.prescription.cones[0].vertex, corner);
+    doc.begin({ ...doc.prescription, cones: [] });
+    await click(model, place);
+    assert.equal(doc.prescription.cones[0].vertex, corner);
+  }));
+
+test('cones that the surface turns towards the camera are taken by a click, those behind it never', () =>
+  withCanvases(async ({ rest }) => {
+    const page = opened({ rest, hasMap: false, tool: 'orbit' });
+    const { doc, model, click } = page;
+    let [front, back] = [0, 0];
+    for (let v = 0; v < mesh.vertices.length; v++) {
+      doc.begin({ ...doc.prescription, cones: [{ vertex: v, k: 3 }] });
+      doc.selected = -1;
+      await click(model, onModel(page, v));
+      const [least, most] = facingOf(page, v);
+      if (least < 0.1 && most > -0.1) continue; // at the rim of the picture
+      assert.equal(doc.selected, least > 0 ? 0 : -1, `vertex ${v}`);
+      if (least > 0) front += 1;
+      else back += 1;
+    }
+    assert.ok(front > 15 && back > 15, `${front} in front, ${back} behind`);
+  }));
+
+test('the place at which a cone is taken is a disk around it, larger for fingers; of two cones the nearer one is taken', () =>
+  withCanvases(async ({ rest }) => {
+    const page = opened({ rest, hasMap: false, tool: 'orbit' });
+    const { doc, model, click } = page;
+    const v = mesh.vertices.findIndex((_, i) => facingOf(page, i)[0] > 0.55);
+    doc.begin({ ...doc.prescription, cones: [{ vertex: v, k: 3 }] });
+    const [x, y] = onModel(page, v);
+    const reaches = [];
+    for (const pointerType of ['mouse', 'pen', 'touch']) {
+      const along = [];
+      for (const [dx, dy] of [
+        [1, 0],
+        [-1, 0],
+        [0, 1],
+        [0, -1],
+        [0.6, 0.8],
+        [-0.6, -0.8],
+      ]) {
+        // prettier-ignore
+        let far = 0;
+        for (doc.selected = 0; doc.selected === 0 && far < 60; far++) {
+          doc.selected = -1;
+          await click(model, [x + far * dx, y + far * dy], { pointerType });
+        }
+        along.push(far);
+      }
+      assert.ok(Math.max(...along) - Math.min(...along) <= 1, `${pointerType}: ${along}`);
+      reaches.push(along[0]);
+    }
+    assert.ok(reaches[0] >= 10 && reaches[0] < reaches[1] && reaches[1] < reaches[2] && reaches[2] < 40, `${reaches}`); // prettier-ignore
+    model.orbit.move(0, 0, 3); // so that both are within reach
+    const [w] = surface.neighbours.subarray(surface.neighbourStart[v]);
+    for (const cones of [
+      [v, w],
+      [w, v],
+    ]) {
+      // prettier-ignore
+      doc.begin({ ...doc.prescription, cones: cones.map((vertex) => ({ vertex, k: 3 })) });
+      const [from, to] = cones.map((one) => onModel(page, one));
+      for (const part of [0.2, 0.8]) {
+        await click(
+          model,
+          [0, 1].map((i) => from[i] + part * (to[i] - from[i])),
+        );
+        assert.equal(doc.selected, part < 0.5 ? 0 : 1);
+      }
+    }
+  }));

@@ -47,6 +47,11 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
       [() => model.parametrize({ cone: { q: 4, cones: [] } }), /did you mean 'cones'/],
       [() => model.parametrize({ q: '6' }), /q is an integer from 1 to 64, not '6'/],
       [() => model.parametrize({ q: 4.5 }), /not 4.5/],
+      [
+        () => model.parametrize({ features: { rims: true, crease: 30 } }),
+        /features is \{ rims, creases/,
+      ],
+      [() => model.parametrize({ features: { crease: 30 } }), /features is \{ rims, creases/],
       [() => model.parametrize({ cones: [{ vertex: 1, k: 3 }] }), /cones is \{ q, cones/],
       [
         () => model.parametrize({ boundary: 'round' }),

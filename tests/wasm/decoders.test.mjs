@@ -58,6 +58,22 @@ test('a core without decoders says what is missing; prepare() loads them', async
   assert.ok(load().info.triangles > 0);
 });
 
+test('a glTF as text has its decoders too, also behind a byte order mark and blanks', async () => {
+  for (const { files } of compressed) {
+    const [glb] = setOf(files).files.values();
+    const size = new DataView(glb.buffer, glb.byteOffset).getUint32(12, true);
+    const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + size)));
+    json.buffers[0].uri = 'a.bin';
+    const bin = glb.slice(28 + size);
+    for (const start of ['', '\ufeff', ' \t\r\n', '\ufeff\n']) {
+      const core = await createCore();
+      const set = { main: 'a.gltf', files: new Map([['a.gltf', bytesOf(start + JSON.stringify(json))], ['a.bin', bin]]) }; // prettier-ignore
+      await core.prepare(set);
+      assert.ok(core.load(set).info.triangles > 0);
+    }
+  }
+});
+
 test('nothing is loaded for files that need no decoder', async () => {
   const core = await createCore();
   const asked = [];

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { effect } from '@preact/signals-core';
 import { deleteCone, setPrescription } from '../../../web/src/actions/edit_cones.ts';
+import { frame, lookAtCone } from '../../../web/src/actions/view.ts';
 import { suggestCones } from '../../../web/src/actions/solve.ts';
 import { Document } from '../../../web/src/model/document.ts';
 import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
@@ -99,4 +100,27 @@ test('each cone that is deleted is one step of undo, however quickly', () => {
   assert.deepEqual(left(), [5, 7]);
   doc.history = doc.history.undo();
   assert.deepEqual(left(), [3, 5, 7]);
+});
+
+test('framing looks at the selected cone, whichever it is, and without one shows the whole model in both views', () => {
+  const doc = new Document();
+  const app = { doc, ui: { tab: 'map' } };
+  const seen = [];
+  const note = (name) => (vertex) => void seen.push(vertex === undefined ? name : `${name} ${vertex}`); // prettier-ignore
+  app.views = { model: { lookAt: note('look at'), draw() {}, orbit: { fit: note('fit') } }, uv: { fit: note('fit the map') } }; // prettier-ignore
+  const cones = [3, 5, 7].map((vertex) => ({ vertex, k: 3 }));
+  setPrescription(app, { ...doc.prescription, cones }, 'import cones');
+  cones.forEach(({ vertex }, i) => {
+    for (const act of [frame, () => lookAtCone(app, i)]) {
+      [doc.selected, app.ui.tab] = [i, 'map'];
+      act(app);
+      assert.deepEqual(seen.splice(0), [`look at ${vertex}`]);
+      assert.deepEqual([doc.selected, app.ui.tab], [i, 'surface']);
+    }
+  });
+  lookAtCone(app, 3);
+  assert.deepEqual([seen, doc.selected], [[], 2], 'no such cone');
+  doc.selected = -1;
+  frame(app);
+  assert.deepEqual(seen, ['fit', 'fit the map']);
 });

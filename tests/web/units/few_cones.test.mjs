@@ -2,6 +2,10 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { HgpError } from '../../../build/package/index.js';
+import { solveAutomatic } from '../../../web/src/actions/automatic.ts';
+import { balancedStep, fewStep } from '../../../web/src/actions/cone_steps.ts';
+import { Document } from '../../../web/src/model/document.ts';
 import {
   isAsGoodWithFew,
   isFewTried,
@@ -42,4 +46,47 @@ test('sizes may vary 2.5 times on every component, or as much as with more cones
 
 test('on large surfaces there is one run', () => {
   assert.deepEqual([1000, 90_000, 1_000_000].map(isFewTried), [true, true, false]);
+});
+
+/** What a run makes of these maps, or failures, with few and with more cones. */
+async function chosen({ few, more, triangles = 1000, isAligned = true }) {
+  const asked = [];
+  const open = new Set();
+  const parametrize = async ({ conesFor }) => {
+    const name = conesFor ?? 'more';
+    asked.push(name);
+    const made = name === 'few' ? few : more;
+    if (made instanceof Error) throw made;
+    open.add(name);
+    const grid = name === 'few' && !isAligned ? { aligned: false, cells: 9, spacing: 1, workingCells: 0 } : undefined; // prettier-ignore
+    const report = { options: {}, components: [grid ? { grid } : {}] };
+    return { name, certificate: { ...made, integerSeams: 0, seamEdges: 0 }, report, cones: { cones: [1] }, dispose: async () => open.delete(name) }; // prettier-ignore
+  };
+  const result =
+    await solveAutomatic({ doc: new Document() }, { info: { triangles }, solver: { parametrize } }, {}, {}) // prettier-ignore
+      .catch((error) => ({ error, map: {} }));
+  const isFew = result.step === fewStep;
+  assert.ok(result.error || isFew || result.step === balancedStep);
+  if (!result.error) assert.equal(result.map.name, isFew ? 'few' : 'more');
+  return [result.error?.code ?? result.map.name, asked.join(' '), [...open].join(' ')];
+}
+
+test('of the maps of a run that chooses cones one is kept, the other one is let go of', async () => {
+  const [good, stretched, fair, worse] = [[0.05, 2], [0.3, 1], [0.1, 3], [0.1, 9]].map((one) => certificate(true, one)); // prettier-ignore
+  const failure = (code) => new HgpError({ code, message: 'scripted', notes: [] });
+  const law = async (given, ...expected) => assert.deepEqual(await chosen(given), expected);
+  await law({ few: good, more: good }, 'few', 'few', 'few');
+  await law({ few: stretched, more: good }, 'more', 'few more', 'more');
+  await law({ few: fair, more: good }, 'more', 'few more', 'more');
+  await law({ few: fair, more: worse }, 'few', 'few more', 'few');
+  await law({ few: worse, more: fair }, 'more', 'few more', 'more');
+  await law({ few: fair, more: certificate(false, [0, 1]) }, 'few', 'few more', 'few');
+  await law({ few: good, more: fair, isAligned: false }, 'more', 'few more', 'more');
+  await law({ few: good, more: fair, triangles: 10 ** 6 }, 'more', 'more', 'more');
+  // A map with few cones is better than none; what else goes wrong ends the run, and keeps nothing.
+  await law({ few: fair, more: failure('no-map') }, 'few', 'few more', 'few');
+  await law({ few: failure('no-map'), more: fair }, 'more', 'few more', 'more');
+  await law({ few: failure('no-map'), more: failure('no-map') }, 'no-map', 'few more', '');
+  await law({ few: fair, more: failure('internal') }, 'internal', 'few more', '');
+  await law({ few: failure('internal'), more: fair }, 'internal', 'few', '');
 });

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { messageForPage } from '../../../web/src/text/error_messages.ts';
 import { defectsInWords, noteForPage, weldIn } from '../../../web/src/text/notes.ts';
+import { remarksOn } from '../../../web/src/text/remarks.ts';
 import { repairsMade } from '../../../web/src/text/repairs.ts';
 import { readCatalogue } from '../../../wasm/phrases.mjs';
 
@@ -82,4 +83,15 @@ test('an error keeps its rule and number, and gets the advice that the page has'
     messageForPage('2 edges have more than two faces.', [note('repair-by-hand')]),
     '2 edges have more than two faces. No repair removes this; edit the mesh there.',
   );
+});
+
+test('bytes that a gzip file has behind its content are remarked on from the first on, before what is known of the mesh', () => {
+  const info = { surfaces: [{ uvSets: [0] }], surface: 0 };
+  const plain = remarksOn(info, undefined);
+  assert.deepEqual(remarksOn(info, undefined, 0), plain);
+  for (const bytes of [1, 2, 512]) {
+    const [first, ...rest] = remarksOn(info, undefined, bytes);
+    assert.deepEqual(rest, plain);
+    assert.match(first, new RegExp(`(^|\\D)${bytes}\\D`));
+  }
 });

@@ -14,7 +14,6 @@ import { describeError, whyUnusable } from '../text/error_messages';
 import { remarksOn } from '../text/remarks';
 import { estimateFor, maxTriangles, tooMany } from '../text/estimate';
 import { bytesOfAll, megabytes } from '../text/format';
-import { gzipNote, noteForPage } from '../text/notes';
 import { solverOf, type App } from './app';
 import { keepFeatures } from './keep_features';
 import { emptyFor, findCones, moveFromPrevious, offerSaved, transferred } from './first_cones';
@@ -134,9 +133,7 @@ async function readMesh(
   const [matrix] = matricesOf(placements[info.surface]);
   const surface = await geometry.surface(arrays, facts, matrix);
   call.signal.throwIfAborted();
-  const ignored = ignoredBytes(files.get(main));
-  const remarks = remarksOn(info, placements[info.surface]);
-  if (ignored > 0) remarks.unshift(noteForPage(gzipNote(ignored)));
+  const remarks = remarksOn(info, placements[info.surface], ignoredBytes(files.get(main)));
   const model = { main, files, solver, info, surface, loaded: settings, remarks, matrix };
   if (surfaceIndex === undefined) doc.parts = parts ?? [];
   doc.state = { kind: 'open', model };

@@ -1,12 +1,15 @@
 // Remarks on a loaded mesh that matter before it is mapped: it has one map, whoever shows it.
 
 import type { ModelInfo, Placements } from 'hgp';
+import { gzipNote, noteForPage } from './notes';
 
+/** `ignoredBytes`: how many there are behind the content of a gzip file. */
 export function remarksOn(
   { surfaces, surface }: ModelInfo,
   placements: Placements | undefined,
+  ignoredBytes = 0,
 ): string[] {
-  const remarks: string[] = [];
+  const remarks = ignoredBytes > 0 ? [noteForPage(gzipNote(ignoredBytes))] : [];
   const sets = surfaces[surface]?.uvSets ?? [];
   if (placements && placements.count > 1) {
     remarks.push(`Used ${placements.count} times in the scene: each shows the same map.`);

@@ -123,7 +123,8 @@ function bvhOf(positions: Float32Array | Float64Array, triangles?: Uint32Array):
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   if (triangles) geometry.setIndex(new BufferAttribute(triangles, 1));
   const bvh = new MeshBVH(geometry, { indirect: true, targetLeafSize: 10 });
-  return MeshBVH.serialize(bvh, { cloneBuffers: false }) as unknown as SerializedBvh;
+  const serialized = MeshBVH.serialize(bvh, { cloneBuffers: false }) as unknown as SerializedBvh;
+  return { ...serialized, index: null }; // what is answered is given away, and the surface needs its triangles
 }
 
 /** The decoder for a file, loaded when the first file needs it. */

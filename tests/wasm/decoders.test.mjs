@@ -75,7 +75,7 @@ test('a glTF as text has its decoders too, also behind a byte order mark and bla
 });
 
 test('nothing is loaded for files that need no decoder', async () => {
-  const core = await createCore();
+  const [core, other] = [await createCore(), await createCore()];
   const asked = [];
   const { instantiate } = WebAssembly;
   WebAssembly.instantiate = (...args) => (asked.push(args), instantiate(...args));
@@ -84,6 +84,12 @@ test('nothing is loaded for files that need no decoder', async () => {
     for (const files of [setOf({ 'a.obj': bytesOf('v 0 0 0\n') }), setOf(plain)]) {
       await core.prepare(files);
     }
+    assert.equal(asked.length, 0);
+    // What was loaded once is there for every file and every core.
+    const packed = setOf(compressed.find(({ name }) => /draco/i.test(name)).files);
+    await core.prepare(packed);
+    asked.length = 0;
+    for (const one of [core, other]) await one.prepare(packed);
     assert.equal(asked.length, 0);
   } finally {
     WebAssembly.instantiate = instantiate;

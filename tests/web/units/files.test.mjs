@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { findMissing, safeName, unpack } from '../../../web/src/formats/file_set.ts';
+import { filesOfDrop, filesOfInput, findMissing, safeName, unpack } from '../../../web/src/formats/file_set.ts'; // prettier-ignore
 import { gltfOf, relativeName, splitGlb } from '../../../web/src/formats/glb.ts';
 import { cubeMesh, toGlb } from '../../support/meshes.mjs';
 
@@ -117,4 +117,36 @@ test('of a large GLB on disk only the head is read for its JSON', async () => {
     const cut = new Blob([glb.subarray(0, length)]);
     assert.deepEqual(await gltfOf(new Map([['cube.glb', cut]]), 'cube.glb'), {});
   }
+});
+
+/** Entries of a drop as browsers give them: a folder answers in parts, and with none at its end. */
+const fileEntry = (name) => ({ fullPath: name, isDirectory: false, file: (done) => done({ name: name.replace(/^.*\//, ''), of: name }) }); // prettier-ignore
+const folderEntry = (name, parts) => ({
+  ...{ fullPath: name, isDirectory: true },
+  createReader: () => {
+    const left = [...parts, []];
+    return { readEntries: (done) => done(left.shift() ?? assert.fail('asked after the end')) };
+  },
+});
+const dropOf = (entries) => ({
+  items: entries.map((entry) => ({ webkitGetAsEntry: () => entry })),
+  files: entries.filter((one) => !one?.isDirectory).map((one) => ({ name: one.fullPath.slice(1) })),
+});
+
+test('of dropped folders every file is taken, with its path, in however many parts a browser lists them', async () => {
+  const all = Array.from({ length: 7 }, (_, i) => fileEntry(`/a/${i}.obj`));
+  for (const sizes of [[], [7], [1, 6], [1, 1, 1, 1, 1, 1, 1], [2, 5]]) {
+    // prettier-ignore
+    let at = 0;
+    const parts = sizes.map((size) => all.slice(at, (at += size)));
+    const inner = folderEntry('/a/b', [[fileEntry('/a/b/x.png')], [folderEntry('/a/b/c', [])]]);
+    const found = await filesOfDrop(dropOf([folderEntry('/a', [...parts, [inner]]), fileEntry('/m.obj')])); // prettier-ignore
+    const expected = [...all.slice(0, at).map(({ fullPath }) => fullPath.slice(1)), 'a/b/x.png', 'm.obj']; // prettier-ignore
+    assert.deepEqual([...found.keys()].sort(), expected.sort());
+    for (const [name, file] of found) assert.equal(file.of, `/${name}`);
+  }
+  const plain = await filesOfDrop(dropOf([fileEntry('/m.obj'), fileEntry('/m.mtl')]));
+  assert.deepEqual([...plain.keys()], ['m.obj', 'm.mtl']);
+  const chosen = [{ name: 'm.obj', webkitRelativePath: 'a/m.obj' }, { name: 'n.obj', webkitRelativePath: '' }]; // prettier-ignore
+  assert.deepEqual([...filesOfInput(chosen).keys()], ['a/m.obj', 'n.obj']);
 });

@@ -16,7 +16,7 @@ globalThis.document ??= paper;
 const { Orbit } = await import('../../../web/src/views/camera.ts');
 const { drawWhenUploaded } = await import('../../../web/src/views/sliced_uploads.ts');
 const { ConeMarkers } = await import('../../../web/src/views/cone_markers.ts');
-const { flatGeometry, setTint, surfaceGeometry } =
+const { bvhAtOnce, flatGeometry, pickGeometry, setTint, surfaceGeometry } =
   await import('../../../web/src/views/corner_geometry.ts');
 const { hiding } = await import('../../../web/src/views/hiding.ts');
 const { highlightTargets } = await import('../../../web/src/views/highlight_targets.ts');
@@ -417,6 +417,16 @@ test('geometries share what stays, and take colours of their own size only', () 
   assert.deepEqual(flat.boundingSphere.center.toArray(), [1, 3.5, 0]);
   near(flat.boundingSphere.radius, 2.5, 'half the diagonal');
 });
+
+test('no tree for picking is built at once of more than ten thousand triangles', () => {
+  for (const [triangles, isBuilt] of [[10_000, true], [10_001, false]]) {
+    const flat = new BufferAttribute(new Float32Array(6 * triangles), 2);
+    const solid = new BufferAttribute(new Float32Array(9 * triangles), 3);
+    for (const position of [flat, solid]) assert.equal(bvhAtOnce(new BufferGeometry().setAttribute('position', position)) !== undefined, isBuilt); // prettier-ignore
+    const places = new Float64Array(9);
+    assert.equal(bvhAtOnce(pickGeometry({ places, triangles: new Uint32Array(3 * triangles) })) !== undefined, isBuilt); // prettier-ignore
+  }
+}); // prettier-ignore
 
 test('positions and normals of corners are made only for the card, slice by slice', () => {
   const { position, normal } = surfaceGeometry(surface).attributes;

@@ -60,14 +60,15 @@ export function bvhFrom(serialized: SerializedBvh, geometry: BufferGeometry): Me
   return MeshBVH.deserialize(serialized, geometry, { setIndex: false });
 }
 
-const smallest = 30_000; // corners: a tree over fewer is built synchronously
+/** A tree over at most so many corners is built when it is needed; larger ones come from the geometry worker. */
+export const cornersAtOnce = 30_000;
 
 const treeOptions = { indirect: true, targetLeafSize: 10 };
 
 /** A tree over a small geometry, built synchronously; undefined if that would take long. */
 export function bvhAtOnce(geometry: BufferGeometry): MeshBVH | undefined {
   const position = geometry.getAttribute('position');
-  if ((geometry.index ?? position).count > smallest) return undefined;
+  if ((geometry.index ?? position).count > cornersAtOnce) return undefined;
   if (position.itemSize === 3) return new MeshBVH(geometry, treeOptions);
   // A map: a tree over its two numbers per corner would have wrong boxes.
   const flat = new BufferAttribute(flatPositions(position.array), 3);

@@ -11,6 +11,7 @@ import { isCertified } from '../model/verdict';
 import type { UiState } from '../model/ui_state';
 import type { GeometryClient } from '../services/geometry_client';
 import { isGltf } from '../formats/glb';
+import { cornersAtOnce } from './corner_geometry';
 import { disposeScene, loadGltfScene, type OwnScene } from './gltf_scene';
 import { isStale, lastConcerns, liveConcern, markersConcern } from './small_concerns';
 import type { ModelView } from './model_view';
@@ -29,7 +30,6 @@ const quietPalettes: typeof palettes = {
   dark: { ...palettes.dark, paper: new Color('#4a5663') },
 };
 
-const maxAtOnce = 10_000; // triangles: for fewer, the tree for picking is built synchronously
 const maxTime = 8; // milliseconds per task
 const maxForMaterials = 300_000; // triangles: for more, the model's materials are shown only on request
 
@@ -160,7 +160,7 @@ export class ViewUpdates {
         if (isNew) onSurface();
         model.setModel(surface, solution, { parts: doc.parts, isSameFile });
         uv.setModel(surface, solution);
-        if (!surface || surface.triangles.length / 3 <= maxAtOnce) return undefined;
+        if (!surface || surface.triangles.length <= cornersAtOnce) return undefined;
         const trees: Promise<void>[] = [];
         if (isNew) {
           trees.push(

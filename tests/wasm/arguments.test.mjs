@@ -83,6 +83,27 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
     });
   }));
 
+test('the core says in the thread that calls it what is wrong with cones, features and vertices, as its client does', async () => {
+  const { createCore } = await import(path.join(built, 'node/core.js'));
+  const core = await createCore();
+  const model = core.load({ main: 'disk.obj', files: new Map([['disk.obj', disk]]) });
+  const map = model.parametrize({ boundary: 'convex' });
+  const calls = {
+    check: (bad) => model.check(bad),
+    logScale: (bad) => model.logScale(bad),
+    balanceCones: (bad) => model.balanceCones(bad),
+    transferCones: (bad) => model.transferCones(bad, model),
+    parametrize: (bad) => model.parametrize({ cones: bad }),
+    listFeatures: (bad) => model.listFeatures(bad),
+    readCones: (bad) => model.readCones(bad),
+    beginDrag: (bad) => map.beginDrag(bad),
+  };
+  for (const [name, call] of Object.entries(calls))
+    for (const bad of [[], 'cones', 4.5, null, { cone: 1 }])
+      assert.throws(() => call(bad), { code: 'usage' }, `${name}: ${JSON.stringify(bad)}`);
+  assert.equal(model.info.usable, true);
+});
+
 test('the options that are checked are those that are declared, and those that the core reads', () => {
   const types = readFileSync(path.join(built, 'lib/options.d.ts'), 'utf8');
   const ofClient = readFileSync(path.join(built, 'lib/client.d.ts'), 'utf8');

@@ -5,7 +5,8 @@ import test from 'node:test';
 import { effect } from '@preact/signals-core';
 import { deleteCone, setPrescription } from '../../../web/src/actions/edit_cones.ts';
 import { frame, lookAtCone } from '../../../web/src/actions/view.ts';
-import { suggestCones } from '../../../web/src/actions/solve.ts';
+import { viewActions } from '../../../web/src/actions/view_actions.ts';
+import { isSettled, suggestCones } from '../../../web/src/actions/solve.ts';
 import { Document } from '../../../web/src/model/document.ts';
 import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
@@ -123,4 +124,30 @@ test('framing looks at the selected cone, whichever it is, and without one shows
   doc.selected = -1;
   frame(app);
   assert.deepEqual(seen, ['fit', 'fit the map']);
+});
+
+test('choosing a tool says how it is used, choosing it again leads back to turning the model and says nothing', () => {
+  for (const tool of ['place', 'edges']) {
+    const doc = new Document();
+    const app = { doc, ui: { tool: 'orbit' } };
+    for (const before of ['orbit', 'place', 'edges'].filter((one) => one !== tool)) {
+      [app.ui.tool, doc.message] = [before, undefined];
+      viewActions[tool].run(app);
+      assert.deepEqual([app.ui.tool, viewActions[tool].isOn(app)], [tool, true]);
+      assert.ok(doc.message.text.length > 20);
+      doc.message = undefined;
+      viewActions[tool].run(app);
+      assert.deepEqual([app.ui.tool, viewActions.orbit.isOn(app), doc.message], ['orbit', true, undefined]); // prettier-ignore
+    }
+  }
+});
+
+test('a file that is to be kept is no longer asked for where any file of the download is that one', () => {
+  const note = (code, name) => ({ code, words: { name }, numbers: {}, where: [] });
+  const files = ['a.glb', 'b.bin', 'c.png'].map((name) => ({ name }));
+  for (const { name } of files) {
+    assert.equal(isSettled(note('write-keep-beside', name), files), true);
+    assert.equal(isSettled(note('write-set-used', name), files), false);
+  }
+  assert.equal(isSettled(note('write-keep-beside', 'd.png'), files), false);
 });

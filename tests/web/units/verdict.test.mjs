@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { readUv } from '../../../web/src/formats/read_uv.ts';
 import { isCertified, verdictRows } from '../../../web/src/model/verdict.ts';
 import { analyse } from '../../../web/src/services/geometry/analyse.ts';
 import {
@@ -224,4 +225,20 @@ test('with several components each row shows the worst place of the file, not of
   assert.deepEqual(where('Flipped triangles'), [{ kind: 'triangle', id: 1 }]);
   assert.deepEqual(where('Regular vertices'), [{ kind: 'vertex', id: 1 }]);
   assert.deepEqual(where('Seams'), [{ kind: 'edge', id: 2, other: 4 }]);
+});
+
+test('faces of any number of corners are read from a PLY as from an OBJ, as text or bytes', () => {
+  const places = Array.from({ length: 6 }, (_, i) => [Math.cos(i), Math.sin(i), i]);
+  const uvOf = (v) => [places[v][0] / 2, places[v][1] + 1];
+  const encode = (text) => new TextEncoder().encode(text);
+  for (const sizes of [[3, 3], [3, 4], [4, 3], [4, 4], [5, 3, 6], [3]]) {
+    // prettier-ignore
+    const faces = sizes.map((n, f) => Array.from({ length: n }, (_, k) => (k + f) % 6));
+    const obj = [...places.map((p) => `v ${p.join(' ')}`), ...places.map((_, v) => `vt ${uvOf(v).join(' ')}`), ...faces.map((f) => `f ${f.map((v) => `${v + 1}/${v + 1}`).join(' ')}`)].join('\n'); // prettier-ignore
+    const header = `ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\nproperty double z\nelement face ${sizes.length}\nproperty list uchar int vertex_indices\nproperty list uchar double texcoord\nend_header\n`; // prettier-ignore
+    const rows = [...places.map((p) => p.join(' ')), ...faces.map((f) => `${f.length} ${f.join(' ')} ${2 * f.length} ${f.flatMap(uvOf).join(' ')}`)]; // prettier-ignore
+    const [fromObj, fromPly] = [['a.obj', obj], ['a.ply', `${header}${rows.join('\n')}\n`]].map(([name, text]) => readUv([{ name, bytes: encode(text) }], 0)); // prettier-ignore
+    assert.deepEqual(fromPly, fromObj, `faces of ${sizes}`);
+    assert.deepEqual(fromObj.sizes, sizes.some((n) => n > 3) ? sizes : undefined);
+  }
 });

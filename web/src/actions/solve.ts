@@ -178,7 +178,7 @@ export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOp
 });
 
 /** Whether a note is settled: it asks to keep a file next to the new one, and the download includes that file. */
-const isSettled = ({ code, words }: Note, files: OutputFile[]): boolean =>
+export const isSettled = ({ code, words }: Note, files: OutputFile[]): boolean =>
   code === 'write-keep-beside' && files.some(({ name }) => name === words.name);
 
 /** The numbers of a map alone: they travel to the geometry worker and back. */

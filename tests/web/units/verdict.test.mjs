@@ -242,3 +242,20 @@ test('faces of any number of corners are read from a PLY as from an OBJ, as text
     assert.deepEqual(fromObj.sizes, sizes.some((n) => n > 3) ? sizes : undefined);
   }
 });
+
+test('the least area is that of the triangles in the file; of the map where the file has others or cannot be read', () => {
+  const map = square();
+  const edges = edgesOf(map.triangles, 5);
+  const least = (bytes) => analyse({ map, measures: measuresOf(map), files: [{ name: 'a.obj', bytes }], mesh: 0 }, edges).analysis.smallestArea; // prettier-ignore
+  const own = least(objOf(map));
+  for (const y of [0.1, 0.3, -0.2, 0.9]) {
+    const uv = map.uv.slice();
+    uv[9] = y; // the middle of the square, at another height
+    const { area, negative } = least(objOf({ ...map, uv }));
+    assert.ok(Math.abs(area - Math.min(y, 1 - y) / 2) < 1e-9, `${area} for ${y}`);
+    assert.equal(negative, y < 0 ? 1 : 0);
+  }
+  const text = new TextDecoder().decode(objOf(map));
+  const fewer = text.split('\n').slice(0, -1).join('\n');
+  for (const other of [fewer, 'nothing']) assert.deepEqual(least(new TextEncoder().encode(other)), own); // prettier-ignore
+});

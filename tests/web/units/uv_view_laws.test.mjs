@@ -3,48 +3,15 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Color, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import { randomFrom } from '../../mutation/draw.mjs';
-import { UvView } from '../../../web/src/views/uv_view.ts';
-import { Canvas, withCanvases } from './canvases.mjs';
-import { cubeSolution, cubeSurface, look, mesh } from './cube_view.mjs';
+import { withCanvases } from './canvases.mjs';
+import { cubeSolution, look, mesh } from './cube_view.mjs';
+import { ends, inWindow, near, palette, segments, solution, surface, viewOf } from './map_view.mjs'; // prettier-ignore
 
-const surface = cubeSurface();
-const solution = cubeSolution(surface);
 const { uv, cornerToUv, uvToVertex } = solution.result;
-const palette = { paper: new Color('#eee'), ink: new Color('#123'), second: new Color('#fa0') };
-const near = (a, b, what, within = 1e-4) => assert.ok(Math.abs(a - b) <= within * Math.max(1, Math.abs(b)), `${what}: ${a} and ${b}`); // prettier-ignore
 const plain = { q: 4, cones: [], turnings: [], handles: [] };
 
-/** A view of the map, with its lines and markers by name. */
-function viewOf(rest, { size = [600, 400], of = solution } = {}) {
-  const canvas = new Canvas(...size);
-  const view = new UvView(canvas);
-  view.setModel(surface, of);
-  view.setLook(look, 4, false, palette);
-  const drawn = () => (view.draw(), rest());
-  drawn();
-  const [square, mapped, wire, crosses, seams, ticks, light, markers] = view.scene.children;
-  return { view, canvas, drawn, square, mapped, wire, crosses, seams, ticks, light, markers };
-}
-
-/** Where a point of the map is in the window. */
-function inWindow({ camera, canvas }, x, y) {
-  camera.updateMatrixWorld(true);
-  const at = new Vector3(x, y, 0).project(camera);
-  const { left, top, width, height } = canvas.getBoundingClientRect();
-  return { clientX: left + ((at.x + 1) / 2) * width, clientY: top + ((1 - at.y) / 2) * height };
-}
-/** The ends of the picture in the map: left, right, bottom, top. */
-function ends({ camera }) {
-  camera.updateMatrixWorld(true);
-  const [low, high] = [-1, 1].map((x) => new Vector3(x, x, 0).unproject(camera));
-  return [low.x, high.x, low.y, high.y];
-}
-const segments = ({ geometry }) => {
-  const [from, to] = ['from', 'to'].map((name) => geometry.getAttribute(name).array);
-  return Array.from({ length: from.length / 12 }, (_, s) => [from, to].map((one) => [...one.subarray(12 * s, 12 * s + 2)])); // prettier-ignore
-};
 const placesOf = (markers) => {
   const [{ geometry }] = markers.children;
   const { array, count } = geometry.getAttribute('position');
@@ -289,4 +256,71 @@ test('under the hand the view rests as long as the whole map is in it; a map tha
     rest();
     view.setLive(undefined);
     assert.equal(rest(), 0, 'nothing was under the hand');
+  }));
+
+/** A gesture on a canvas: moves are seen by its document. */
+function gesture({ canvas }, type, { clientX, clientY }, more = {}) {
+  const event = new Event(type, { cancelable: true });
+  const about = { clientX, clientY, pageX: clientX, pageY: clientY, pointerId: 1, pointerType: 'mouse', button: 0, ctrlKey: false, metaKey: false, shiftKey: false, deltaMode: 0, deltaY: 0, ...more }; // prettier-ignore
+  for (const [key, value] of Object.entries(about)) Object.defineProperty(event, key, { value });
+  const isMove = type === 'pointermove' || type === 'pointerup';
+  (isMove ? canvas.ownerDocument : canvas).dispatchEvent(event);
+}
+
+test('what is under the pointer stays under it while the map is dragged or zoomed, and nothing turns the map', () =>
+  withCanvases(({ rest }) => {
+    const { view, drawn } = viewOf(rest);
+    const under = (place) => {
+      const { x, y } = view.pointer(place);
+      const at = new Vector3(x, y, 0).unproject(view.camera);
+      return [at.x, at.y];
+    };
+    const from = { clientX: 200, clientY: 150 };
+    const to = { clientX: 330, clientY: 90 };
+    for (const key of [{}, { shiftKey: true }, { ctrlKey: true }, { button: 2 }]) {
+      view.fit();
+      drawn();
+      const before = under(from);
+      gesture(view, 'pointerdown', from, key);
+      gesture(view, 'pointermove', to, key);
+      gesture(view, 'pointerup', to, key);
+      drawn();
+      const down = view.camera.getWorldDirection(new Vector3());
+      near(down.z, -1, 'from above', 1e-9);
+      if (!key.shiftKey && !key.ctrlKey) under(to).forEach((x, i) => near(x, before[i], 'dragged', 1e-3)); // prettier-ignore
+    }
+    view.fit();
+    drawn();
+    for (const deltaY of [-120, -120, 240]) {
+      const [before, high] = [under(from), ends(view)[3] - ends(view)[2]];
+      gesture(view, 'wheel', from, { deltaY });
+      drawn();
+      under(from).forEach((x, i) => near(x, before[i], 'zoomed', 1e-2));
+      assert.equal(ends(view)[3] - ends(view)[2] < high, deltaY < 0);
+    }
+    // A view that was moved by hand stays where it is.
+    const chosen = ends(view)[3];
+    view.onResize(640, 400);
+    near(ends(view)[3], chosen, 'stays');
+  }));
+
+test('the same map once more changes nothing; strokes are as long on a tall map as on a wide one', () =>
+  withCanvases(({ rest }) => {
+    const { view } = viewOf(rest);
+    view.zoom(0.3);
+    rest();
+    const before = ends(view);
+    view.setModel(surface, solution);
+    assert.deepEqual([ends(view), rest()], [before, 0]);
+    const { box } = solution;
+    const lengths = [
+      [box.width, box.height],
+      [box.height, box.width],
+    ].map(([width, height]) => {
+      // prettier-ignore
+      const { ticks } = viewOf(rest, { of: cubeSolution(surface, { box: { ...box, width, height } }) }); // prettier-ignore
+      return segments(ticks).map(([a, b]) => Math.hypot(a[0] - b[0], a[1] - b[1]));
+    });
+    assert.ok(lengths[0].length > 10);
+    for (const one of lengths.flat()) near(one, 0.024 * box.width, 'a stroke');
   }));

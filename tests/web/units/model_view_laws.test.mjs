@@ -3,7 +3,8 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Color, Group, Mesh, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, Color, Group, Matrix4, Mesh, Vector3 } from 'three'; // prettier-ignore
+import { MeshBVH } from 'three-mesh-bvh';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { ModelView } from '../../../web/src/views/model_view.ts';
 import { Canvas, drawsIn, withCanvases } from './canvases.mjs';
@@ -110,6 +111,7 @@ test('cones are marked at their vertices; what the surface does not have is not'
     view.setGhost(undefined);
     assert.equal(rest(), 0, 'there was none');
     view.setGhost({ vertex: 5, k: 3 }, 4);
+    assert.equal(ghost.children[0].geometry.getAttribute('look').array[2], 1, 'not selected');
     assert.deepEqual([placesOf(ghost).length, ghost.visible, canvas.dataset.ghost], [1, true, '3']);
     assert.equal(rest(), 1);
     view.setGhost(undefined);
@@ -159,6 +161,25 @@ test('another map of a surface keeps camera, cursor and what the card has; anoth
     assert.equal(mapped.visible, true);
     show(undefined, undefined);
     assert.equal(mapped.visible, false);
+  }));
+
+test('a new file is framed whole, and fitting then shows the open mesh alone', () =>
+  withCanvases(({ rest }) => {
+    const view = new ModelView(new Canvas(600, 400));
+    const cornerPositions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
+    const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(cornerPositions, 3)); // prettier-ignore
+    const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }));
+    const at = (x) => ({ mesh: 1, isPlaced: true, cornerPositions, cornerNormals: new Int8Array(12), tree, matrices: [new Matrix4().makeTranslation(x, 0, 0).elements] }); // prettier-ignore
+    view.setModel(surface, undefined, { parts: [at(-30), at(50)], isSameFile: false });
+    rest();
+    const seen = () => [view.orbit.controls.target.x, view.camera.position.distanceTo(view.orbit.controls.target)]; // prettier-ignore
+    const [middle, far] = seen();
+    assert.ok(middle > 2 && middle < 20 && far > 50, `${middle}, from ${far}`);
+    view.orbit.fit();
+    const [own, near] = seen();
+    assert.ok(Math.abs(own) < 0.5 && near < 12, `${own}, from ${near}`);
+    view.orbit.reset();
+    assert.ok(Math.abs(seen()[1] / far - 1) < 0.01);
   }));
 
 test('a look without a map is plain; dimmed where the map is of earlier cones', () =>

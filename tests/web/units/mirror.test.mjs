@@ -22,6 +22,7 @@ function surfaceOf(mesh) {
 for (const [turn, shift] of [
   [0, 0],
   [0.4, 5],
+  [0.7, 0.3],
   [1.1, -3],
 ]) {
   test(`a shape turned by ${turn} is its own image in one plane, in which every vertex has its counterpart`, () => {
@@ -31,11 +32,13 @@ for (const [turn, shift] of [
     const cosine = mirror.plane.normal.reduce((sum, x, i) => sum + x * normal[i], 0);
     assert.ok(Math.abs(cosine) > 0.999, `${mirror.plane.normal}`);
     const { offset } = mirror.plane;
+    const { diagonal } = surfaceOf(mesh);
+    const distance = (p) => Math.abs(p.reduce((sum, x, i) => sum + x * mirror.plane.normal[i], -offset)); // prettier-ignore
     let pairs = 0;
     mesh.vertices.forEach((p, v) => {
       const w = mirror.opposite(v);
       assert.ok(w >= 0);
-      if (w === v) return;
+      if (w === v) return assert.ok(distance(p) < 0.02 * diagonal, `${v} is on the plane`);
       const middle = p.map((x, i) => (x + mesh.vertices[w][i]) / 2);
       const off = middle.reduce((sum, x, i) => sum + x * mirror.plane.normal[i], -offset);
       assert.ok(Math.abs(off) < 1e-6 + 0.01, `${v} and ${w}: ${off}`);

@@ -111,6 +111,8 @@ test('cones are marked at their vertices; what the surface does not have is not'
     view.setGhost(undefined);
     assert.equal(rest(), 0, 'there was none');
     view.setGhost({ vertex: 5, k: 3 }, 4);
+    const grown = ghost.children[0].material.uniforms.pixels.value / size;
+    assert.ok(grown > 0.5 && grown < 2, `${grown} times as large as a cone`);
     assert.equal(ghost.children[0].geometry.getAttribute('look').array[2], 1, 'not selected');
     assert.deepEqual([placesOf(ghost).length, ghost.visible, canvas.dataset.ghost], [1, true, '3']);
     assert.equal(rest(), 1);
@@ -190,7 +192,7 @@ test('a look without a map is plain; dimmed where the map is of earlier cones', 
     assert.ok(patterned > 0);
     near(uniforms.scale.value * 2 * surface.diagonal, 24, 'tiles along the diagonal, where lengths are doubled'); // prettier-ignore
     view.setLook({ ...look, seams: 'off' }, 4, true, palette);
-    assert.ok(uniforms.dim.value > 0.3);
+    assert.ok(uniforms.dim.value > 0.3 && uniforms.dim.value < 1);
     assert.equal(canvas.dataset.seams, 'off');
     const image = { width: 2, height: 2 };
     view.setLook({ ...look, pattern: 'image', image }, 4, false, palette);

@@ -95,3 +95,75 @@ test('the place at which a cone is taken is a disk around it, larger for fingers
       }
     }
   }));
+
+test('a click beside all cones selects none, with every tool that places none, whichever was selected', () =>
+  withCanvases(async ({ rest }) => {
+    const page = opened({ rest, hasMap: false, tool: 'orbit', cones: [{ vertex: 0, k: 3 }, { vertex: 7, k: 3 }] }); // prettier-ignore
+    for (const selected of [0, 1]) {
+      page.doc.selected = selected;
+      await page.click(page.model, [2, 2]);
+      assert.equal(page.doc.selected, -1);
+    }
+  }));
+
+test('the triangle under the pointer is outlined in both views, unless the tool shows what it would do instead', () =>
+  withCanvases(async ({ rest }) => {
+    const page = opened({ rest });
+    const { doc, ui, model, uv, hover } = page;
+    const lit = [];
+    for (const [name, view] of Object.entries({ model, uv })) view.highlight = (triangles, edges) => lit.push([name, triangles, edges ?? []]); // prettier-ignore
+    const place = [300, 190];
+    const { triangle } = model.pick({ clientX: 20 + place[0], clientY: 10 + place[1] });
+    const seen = async (tool) => {
+      [ui.tool, ui.hover] = [tool, ''];
+      lit.length = 0;
+      await hover(model, place);
+      return Object.fromEntries(lit.map(([name, triangles]) => [name, triangles]));
+    };
+    assert.deepEqual(await seen('orbit'), { model: [triangle], uv: [triangle] });
+    assert.deepEqual(await seen('place'), { model: [], uv: [triangle] });
+    const { seams, ...look } = doc.look;
+    doc.look = { ...look, seams: 'off' };
+    assert.deepEqual(await seen('orbit'), { model: [triangle], uv: [triangle] }, seams);
+    // The tool for edges outlines the chain, and tells how long it is.
+    assert.deepEqual(await seen('edges'), { model: [] });
+    const [[, , chain]] = lit;
+    assert.ok(chain.length > 0);
+    assert.match(ui.hover, new RegExp(`these ${chain.length} edges`));
+    lit.length = 0;
+    await hover(model, [2, 2]);
+    assert.deepEqual(lit, [['model', [], []], ['uv', [], []]]); // prettier-ignore
+    assert.equal(ui.hover, '');
+  }));
+
+test('another mesh under the pointer is named and chosen by a click, the open one is not', () =>
+  withCanvases(async ({ rest }) => {
+    const page = opened({ rest });
+    const { doc, ui, model, hover, point } = page;
+    doc.model.info.surfaces = [{ name: 'open' }, { name: 'second' }, {}];
+    const pointed = [];
+    model.pointAt = (mesh) => pointed.push(mesh);
+    for (const [mesh, name] of [
+      [1, 'second'],
+      [2, 'Mesh 2'],
+    ]) {
+      // prettier-ignore
+      model.pickPart = () => mesh;
+      await hover(model, [300, 190]);
+      assert.equal(pointed.at(-1), mesh);
+      assert.ok(ui.hover.startsWith(`${name}: `), ui.hover);
+    }
+    for (const mesh of [0, -1]) {
+      model.pickPart = () => mesh;
+      await hover(model, [300, 190]);
+      assert.equal(pointed.at(-1), -1);
+      assert.ok(ui.hover.startsWith('v ') || ui.hover.startsWith('Seam'), ui.hover);
+    }
+    const { cones } = doc.prescription;
+    model.pickPart = () => 1;
+    point(model, 'pointerdown', [300, 190], { buttons: 1 });
+    point(model, 'pointerup', [300, 190]);
+    await page.settle();
+    assert.equal(doc.prescription.cones, cones, 'no cone is placed on what is behind');
+    assert.equal(ui.hover, '');
+  }));

@@ -193,7 +193,7 @@ test('lines are shown as the look says; another map hides them all until they ar
     const { uniforms } = mapped.material;
     assert.deepEqual([uniforms.dim.value, uniforms.q.value, uniforms.lit.value], [0, 4, 0]);
     setLook({}, true);
-    assert.ok(uniforms.dim.value > 0.3, 'of earlier cones');
+    assert.ok(uniforms.dim.value > 0.3 && uniforms.dim.value < 1, 'of earlier cones');
     assert.equal(uniforms.paper.value, palette.paper);
     near(uniforms.scale.value * 2 * surface.diagonal, 24, 'tiles along the diagonal, where lengths are doubled'); // prettier-ignore
     const image = { width: 2, height: 2 };

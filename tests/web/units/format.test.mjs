@@ -1,8 +1,9 @@
-// Amounts of memory as words: whole tens of megabytes up to a gigabyte, then gigabytes.
+// Amounts of memory as words: whole tens of megabytes up to a gigabyte, then gigabytes. And the stages of a run as numbers.
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { megabytes, memoryText } from '../../../web/src/text/format.ts';
+import { runSteps, stageName, stepIndex, wholeFraction } from '../../../web/src/text/stages.ts';
 
 test('memory is told in tens of megabytes below a gigabyte, and in gigabytes from there on', () => {
   const mega = 2 ** 20;
@@ -14,4 +15,37 @@ test('memory is told in tens of megabytes below a gigabyte, and in gigabytes fro
     [0.25, 0.999, 1, 12.4].map((n) => megabytes(n * mega)),
     ['0.25 MB', '1.00 MB', '1 MB', '12 MB'],
   );
+});
+
+test('the stages of a run follow one another: each begins where one before it ends, the last one ends at the whole', () => {
+  const stages = ['read', 'weld', 'topology', 'field', 'cut', 'assemble', 'solve', 'improve', 'align', 'verify', 'write']; // prettier-ignore
+  let [end, step] = [0, 0];
+  for (const stage of stages) {
+    assert.ok(Math.abs(wholeFraction(stage, 0, 0) - end) < 1e-9, `${stage} begins`);
+    const parts = [0, 0.25, 0.5, 1].map((part) => wholeFraction(stage, part, 0));
+    for (let i = 1; i < parts.length; i++) assert.ok(parts[i] > parts[i - 1], `${stage} goes on`);
+    assert.ok(Math.abs(parts[2] - (parts[0] + parts[3]) / 2) < 1e-9, 'evenly');
+    assert.deepEqual(
+      [wholeFraction(stage, -1, 0), wholeFraction(stage, 9, 0)],
+      [parts[0], parts[3]],
+    );
+    assert.equal(wholeFraction(stage, 0, 1), 1, 'never back');
+    end = parts[3];
+    assert.ok(stepIndex(stage) >= step && stepIndex(stage) <= step + 1, `the step of ${stage}`);
+    step = stepIndex(stage);
+    assert.notEqual(stageName(stage), stage);
+  }
+  assert.deepEqual([end, step], [1, runSteps.length - 1]);
+  // Those that only some runs have are parts of others.
+  for (const [stage, first, last] of [
+    ['prepare', 'weld', 'topology'],
+    ['cones', 'field', 'field'],
+    ['connection', 'field', 'field'],
+  ]) {
+    // prettier-ignore
+    const [from, to] = [0, 1].map((part) => wholeFraction(stage, part, 0));
+    assert.ok(wholeFraction(first, 0, 0) <= from && from < to && to <= wholeFraction(last, 1, 0));
+    assert.equal(stepIndex(stage), stepIndex(last));
+  }
+  assert.deepEqual([wholeFraction('other', 0.5, 0.3), stageName('other')], [0.3, 'other']);
 });

@@ -12,6 +12,19 @@ constexpr std::int64_t kLargestStep = std::int64_t{1} << 40;
 
 }  // namespace
 
+/// row − times · other; false where integers grow beyond what is exact: row is then of no use.
+bool SumLattice::subtract(Row& row, const Row& other, std::int64_t times) {
+  for (const auto& [variable, step] : other) {
+    std::int64_t& entry = row[variable];
+    if (std::abs(step) > 2 * kLargestStep / std::max<std::int64_t>(1, std::abs(times)))
+      return false;  // the product is not computed: it may exceed the integers
+    entry -= times * step;
+    if (std::abs(entry) > kLargestStep) return false;
+    if (entry == 0) row.erase(variable);
+  }
+  return true;
+}
+
 bool SumLattice::add(const RealSum& sum) {
   Row row;
   for (const auto& [variable, factor] : sum) row[variable] = std::llround(kFactorSteps * factor);
@@ -26,14 +39,7 @@ bool SumLattice::add(const RealSum& sum) {
     // Euclid's algorithm on the first factors.
     while (!row.empty() && row.begin()->first == first) {
       const std::int64_t times = row.at(first) / own.at(first);
-      for (const auto& [variable, step] : own) {
-        std::int64_t& entry = row[variable];
-        if (std::abs(step) > 2 * kLargestStep / std::max<std::int64_t>(1, std::abs(times)))
-          return false;  // the product is not computed: it may exceed the integers
-        entry -= times * step;
-        if (std::abs(entry) > kLargestStep) return false;
-        if (entry == 0) row.erase(variable);
-      }
+      if (!subtract(row, own, times)) return false;
       if (!row.empty() && row.begin()->first == first) std::swap(row, own);
     }
   }
@@ -51,6 +57,21 @@ std::vector<int> SumLattice::variables() const {
   std::vector<int> out;
   for (const auto& [variable, row] : rows_) out.push_back(variable);
   return out;
+}
+
+/// Takes multiples of the rows of later variables from every row, so that no entry exceeds half of the first one in its column.
+void SumLattice::reduce() {
+  for (auto own = rows_.rbegin(); own != rows_.rend(); ++own) {
+    Row& row = own->second;
+    for (auto later = rows_.upper_bound(own->first); later != rows_.end(); ++later) {
+      const auto entry = row.find(later->first);
+      if (entry == row.end()) continue;
+      const std::int64_t pivot = later->second.at(later->first);
+      const std::int64_t times =
+          std::llround(static_cast<double>(entry->second) / static_cast<double>(pivot));
+      if (times != 0) subtract(row, later->second, times);
+    }
+  }
 }
 
 Eigen::MatrixXd SumLattice::basis() const {

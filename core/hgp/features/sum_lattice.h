@@ -17,6 +17,8 @@ class SumLattice {
   /// @return false where integers grow beyond what is exact; the lattice is then of no use
   bool add(const RealSum& sum);
 
+  /// Chooses rows with small factors: what is near integers in one row is not far from them in another.
+  void reduce();
   /// Whether integers determine every variable that occurs.
   bool isComplete() const;
   /// Those that occur, ascending; after isComplete().
@@ -26,7 +28,8 @@ class SumLattice {
 
  private:
   using Row = std::map<int, std::int64_t>;  ///< factors in steps of 1/kFactorSteps
-  std::map<int, Row> rows_;                 ///< by their first variable
+  static bool subtract(Row& row, const Row& other, std::int64_t times);
+  std::map<int, Row> rows_;  ///< by their first variable
 };
 
 }  // namespace hgp

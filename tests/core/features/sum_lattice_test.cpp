@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <random>
 
 namespace hgp {
 namespace {
@@ -38,6 +39,37 @@ TEST(SumLattice, IntegersGiveExactlyTheNumbersWithIntegerSums) {
       areIntegers = areIntegers && std::fabs(value - std::nearbyint(value)) < 1e-12;
     }
     EXPECT_FALSE(areIntegers) << i;
+  }
+}
+
+/// Sums of three or four of `count` numbers, so many that integers determine all of them.
+SumLattice randomLattice(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  SumLattice lattice;
+  for (int n = 0; n < 3 * count || !lattice.isComplete(); ++n) {
+    RealSum sum;
+    for (int k = 0; k < 3; ++k)
+      addTo(sum, {{static_cast<int>(random() % static_cast<unsigned>(count)), 1.0}},
+            random() % 2 == 0 ? 0.5 : -1.0);
+    EXPECT_TRUE(lattice.add(sum));
+  }
+  return lattice;
+}
+
+TEST(SumLattice, AReducedBasisIsOfTheSameLatticeWithSmallFactors) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SumLattice lattice = randomLattice(6, seed);
+    const Eigen::MatrixXd before = lattice.basis();
+    lattice.reduce();
+    const Eigen::MatrixXd after = lattice.basis(), change = after * before.inverse();
+    EXPECT_NEAR(std::fabs(change.determinant()), 1.0, 1e-6);
+    for (Eigen::Index i = 0; i < change.size(); ++i)
+      EXPECT_NEAR(change.reshaped()[i], std::nearbyint(change.reshaped()[i]), 1e-6);
+    for (Eigen::Index i = 0; i < after.rows(); ++i)
+      for (Eigen::Index j = 0; j < after.cols(); ++j) {
+        if (j == i) continue;
+        EXPECT_LE(std::fabs(after(i, j)), j < i ? 0.0 : 0.5 * std::fabs(after(j, j)));
+      }
   }
 }
 

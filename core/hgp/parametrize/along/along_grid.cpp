@@ -162,6 +162,7 @@ class GridAligner {
       for (VertexId v : setup_.seamless.cones)
         if (!addBoth(v)) return false;
     if (!lattice_.isComplete()) return false;
+    lattice_.reduce();
     variables_ = lattice_.variables();
     return true;
   }

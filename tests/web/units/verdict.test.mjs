@@ -227,6 +227,20 @@ test('with several components each row shows the worst place of the file, not of
   assert.deepEqual(where('Seams'), [{ kind: 'edge', id: 2, other: 4 }]);
 });
 
+test('flipped triangles are shown where the certificate has them, otherwise where they were measured', () => {
+  const map = square();
+  for (const list of [map.triangles, map.cornerToUv]) [list[4], list[5]] = [list[5], list[4]];
+  const solution = solutionOf(map);
+  const shown = (notPositive) => {
+    const components = [{ orientation: { notPositive } }, {}];
+    solution.result.certificate = { ...certificate, flipped: 1, components };
+    return verdictRows(solution).find(({ name }) => name === 'Flipped triangles').where;
+  };
+  assert.deepEqual(shown([3, 0]), [{ kind: 'triangle', id: 3 }, { kind: 'triangle', id: 0 }]); // prettier-ignore
+  assert.deepEqual(shown([2]), [{ kind: 'triangle', id: 2 }]);
+  assert.deepEqual(shown([]), [{ kind: 'triangle', id: 1 }]);
+});
+
 test('faces of any number of corners are read from a PLY as from an OBJ, as text or bytes', () => {
   const places = Array.from({ length: 6 }, (_, i) => [Math.cos(i), Math.sin(i), i]);
   const uvOf = (v) => [places[v][0] / 2, places[v][1] + 1];

@@ -22,6 +22,7 @@ constexpr int kMaxCells = 512;  // maximum number of grid cells for one edge
 /// Nonzero for triangles without three different vertices of the mesh.
 std::vector<char> skipped(const std::vector<std::array<int, 3>>& triangles, int vertexCount) {
   std::vector<char> isSkipped;
+  isSkipped.reserve(triangles.size());
   for (const auto& t : triangles)
     isSkipped.push_back(
         t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||

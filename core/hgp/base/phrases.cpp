@@ -107,7 +107,7 @@ constexpr Phrase kOthers[] = {
     {"crack",
      "a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another "
      "one[weld:; --weld {weld:.2g} closes it][spoiled:; a weld of that length would not close it: "
-     "{spoiled|triangle|triangles} would collapse or lie on others]"},
+     "{spoiled|triangle|triangles} would collapse, repeat others or meet several at one side]"},
     {"t-junctions",
      "T-junctions: [partial:at least ]{vertices|boundary vertex lies|boundary vertices lie} on "
      "the boundary edge of another face (within {gap:.3g}); a weld cannot close them: the edge "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hgp/base/ids.h"
 
@@ -69,7 +70,9 @@ void SumLattice::reduce() {
       const std::int64_t pivot = later->second.at(later->first);
       const std::int64_t times =
           std::llround(static_cast<double>(entry->second) / static_cast<double>(pivot));
-      if (times != 0) subtract(row, later->second, times);
+      // Where integers would grow too large the row stays as it is, which generates the same sums.
+      if (Row reduced = row; times != 0 && subtract(reduced, later->second, times))
+        row = std::move(reduced);
     }
   }
 }

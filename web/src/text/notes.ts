@@ -13,7 +13,7 @@ const pagePhrases: Phrases = {
   crack:
     'a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another one[weld:; joining ' +
     'vertices closer than {weld:.2g} closes it][spoiled:; joining vertices that close would not close it: ' +
-    '{spoiled|triangle|triangles} would collapse or lie on others]',
+    '{spoiled|triangle|triangles} would collapse, repeat others or meet several at one side]',
   'angle-shortage':
     'No locally injective map on this mesh has these angles: [cones:{cones|cone} with k = {k}][afterCones: and ]' +
     '[regular:{regular|vertex|vertices} without a cone][vertices: (vertex {@vertex})][afterVertices: and ]' +

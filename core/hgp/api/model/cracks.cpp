@@ -186,22 +186,29 @@ double roundedUp(double x) {
 
 struct Joints {
   int boundaryEdges = 0;
-  int spoiled = 0;  ///< as CrackFacts::spoiled
+  int spoiled = 0;  ///< triangles that are as CrackFacts::spoiled says
 };
 
 Joints jointsOf(std::vector<std::array<int, 3>> triangles, int vertexCount) {
-  const std::vector<char> isSkipped = skipped(triangles, vertexCount);
+  std::vector<char> isSpoiled = skipped(triangles, vertexCount);
   Joints joints;
-  joints.spoiled = static_cast<int>(std::count(isSkipped.begin(), isSkipped.end(), 1));
-  const EdgeTable table(triangles, isSkipped, vertexCount);
+  const EdgeTable table(triangles, isSpoiled, vertexCount);
   for (int e = 0; e < table.edgeCount(); ++e) {
     joints.boundaryEdges += table.faceCount(e) == 1 ? 1 : 0;
-    joints.spoiled += std::max(0, table.faceCount(e) - 2);
+    if (table.faceCount(e) <= 2) continue;
+    for (const int* side = table.begin(e); side != table.end(e); ++side)
+      isSpoiled[static_cast<std::size_t>(*side / 3)] = 1;
   }
-  for (auto& t : triangles) std::sort(t.begin(), t.end());
-  std::sort(triangles.begin(), triangles.end());
-  for (std::size_t i = 1; i < triangles.size(); ++i)
-    joints.spoiled += triangles[i] == triangles[i - 1] ? 1 : 0;
+  std::vector<std::pair<std::array<int, 3>, std::size_t>> sorted;
+  sorted.reserve(triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    std::sort(triangles[f].begin(), triangles[f].end());
+    sorted.emplace_back(triangles[f], f);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i].first == sorted[i - 1].first) isSpoiled[sorted[i].second] = 1;
+  joints.spoiled = static_cast<int>(std::count(isSpoiled.begin(), isSpoiled.end(), 1));
   return joints;
 }
 

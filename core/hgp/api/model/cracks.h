@@ -12,10 +12,10 @@ struct CrackFacts {
   double gap = 0;      ///< the largest of their distances
   int onEdges = 0;     ///< boundary vertices inside a boundary edge of others (T-junctions)
   double edgeGap = 0;  ///< the largest distance between such a vertex and its edge
-  double weld =
-      0;  ///< a length by which a weld joins those vertices and spoils nothing; 0: none is known
-  int spoiled =
-      0;  ///< triangles that a weld by the gap would collapse or repeat, and sides at an edge of more than two
+  /// A length by which a weld joins those vertices and spoils no triangle; 0: none is known.
+  double weld = 0;
+  /// Triangles more that would collapse, repeat others or lie at an edge of more than two after a weld by the gap.
+  int spoiled = 0;
   bool isPartial = false;  ///< the search ended at its bound; there may be more
 };
 

@@ -117,7 +117,9 @@ Failure nothingLeft(const Model& model) {
       formatText("nothing is left to parametrize: %sno triangle of %zu has an area of its own%s",
                  isRounded ? "as glTF, with coordinates in single precision, " : "",
                  model.source().mesh.triangles.size(),
-                 isRounded ? "; move the mesh to the origin, or name the result -o x.obj" : ""),
+                 isRounded
+                     ? "; move the mesh to the origin, or name the result -o x.obj (target: 'obj')"
+                     : ""),
       {}};
 }
 

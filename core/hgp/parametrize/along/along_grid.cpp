@@ -295,8 +295,7 @@ class GridAligner {
   std::vector<int> variables_;  ///< real unknowns that integers determine
   Eigen::MatrixXd B_, covariance_;
   Eigen::VectorXd y0_;
-  PerFace<double>
-      frames_;  ///< of the map as solved, which turns no triangle by a quarter turn against them
+  PerFace<double> frames_;  ///< of the map as solved
   std::vector<LineDemand> demands_;
   double scale_ = 1.0;
   double work_;  ///< multiply-adds left for choices

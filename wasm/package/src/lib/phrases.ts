@@ -18,7 +18,7 @@ const optionPhrases: Phrases = {
   crack:
     'a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another one[weld:; weld: ' +
     '{weld:.2g} closes it][spoiled:; a weld of that length would not close it: {spoiled|triangle|triangles} would ' +
-    'collapse or lie on others]',
+    'collapse, repeat others or meet several at one side]',
   'angle-shortage':
     'No locally injective map on this mesh has these angles: [cones:{cones|cone} with k = {k}][afterCones: and ]' +
     '[regular:{regular|vertex|vertices} without a cone][vertices: (vertex {@vertex})][afterVertices: and ]' +

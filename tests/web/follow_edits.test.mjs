@@ -67,9 +67,9 @@ async function framed(i, { page } = it) {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-/** Runs do not reach the worker until the function that this resolves to is called. */
-async function holdRuns(page) {
-  await page.evaluate(() => {
+/** Calls of a method do not reach the worker until the function that this resolves to is called. */
+async function hold(page, method) {
+  await page.evaluate((method) => {
     const { postMessage } = Worker.prototype;
     globalThis.held = [];
     globalThis.goOn = () => {
@@ -78,10 +78,10 @@ async function holdRuns(page) {
     };
     Worker.prototype.postMessage = function (message, ...rest) {
       const send = () => postMessage.call(this, message, ...rest);
-      if (message?.method === 'parametrize') globalThis.held.push(send);
+      if (message?.method === method) globalThis.held.push(send);
       else send();
     };
-  });
+  }, method);
   return () => page.evaluate(() => globalThis.goOn());
 }
 
@@ -102,7 +102,7 @@ test('a change of two cones shows the scale at once and the certified map withou
   const { page } = it;
   await mapped(true);
   await watchStates(page);
-  const goOn = await holdRuns(page);
+  const goOn = await hold(page, 'parametrize');
   await turnTwo();
   await liveIs(page, 'heat');
   await settled(page);
@@ -156,7 +156,7 @@ async function yieldsToDrag(one) {
   let ended = 0;
   page.on('worker', (worker) => worker.once('close', () => (ended += 1)));
   const calls = await workerCalls(page);
-  const goOn = await holdRuns(page);
+  const goOn = await hold(page, 'parametrize');
   await turnTwo(one);
   await page.waitForFunction(() => globalThis.held.length === 1);
   await page.mouse.move(x, y);
@@ -246,7 +246,7 @@ test('where a cone has too few triangles its frame fails and shows which; droppe
 test('who cancels a run, stops a map or sets a limit that is too short, asks for the next run', async () => {
   const { page } = it;
   await mapped(true);
-  const goOn = await holdRuns(page);
+  const goOn = await hold(page, 'parametrize');
   const asked = () => page.evaluate(() => globalThis.held.length);
   await turnTwo();
   await page.waitForFunction(() => globalThis.held.length === 1);
@@ -289,10 +289,12 @@ test('a cone that leaps and is dropped there has its map from a run, also where 
   const { x, y } = await framed(0);
   const vertex = () => page.locator('tr[data-cone="0"] td').first().innerText();
   const before = await vertex();
+  const goOn = await hold(page, 'dragTo'); // else a slow machine lets the hand rest there, and the map arrives
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 110, y + 10);
   await page.mouse.up();
+  await goOn();
   await state(page, 'dragging', 'stale', 'renewing');
   await state(page, 'certified');
   await page.waitForFunction(() => document.querySelector('#map').dataset.live === '');

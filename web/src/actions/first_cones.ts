@@ -61,7 +61,10 @@ function isNextVersion(model: Model, previous: Model): boolean {
   );
 }
 
-/** Moves the cones from the previous version of the file, as one undo step, and lets go of that version. */
+/**
+ * Moves the cones from the previous version of the file, as one undo step, and lets go of that version. Returns whether
+ * it has told what became of them.
+ */
 export async function moveFromPrevious(app: App, model: Model, call: JobCall): Promise<boolean> {
   const { doc } = app;
   const { previous } = doc;
@@ -80,7 +83,7 @@ export async function moveFromPrevious(app: App, model: Model, call: JobCall): P
     ensureWorker(solverOf(app));
     const why = describeError(error, previous.model.main);
     doc.say(`${another} The cones of the one before could not be moved to it. ${why}`, 'error');
-    return false;
+    return true;
   }
 }
 

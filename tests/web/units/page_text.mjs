@@ -45,7 +45,8 @@ const maxRows = 3;
 const plain = /^(?:div|span|p|section|tbody|thead|tr|dl|ul|b|small|td|g|br)$/;
 /** A drawing by the beginning of its first line. */
 const drawingText = (svg) => `${svg.getAttribute('class') ?? ''}${svg.children.length}:${svg.firstElementChild?.getAttribute('d')?.slice(0, 7) ?? ''}`; // prettier-ignore
-function* elementLines(element) {
+/** What a person sees of an element, and what is told of it to those who do not see. */
+export function* elementLines(element) {
   if (element.tagName.toLowerCase() === 'svg') return yield drawingText(element);
   const line = elementText(element);
   const all = [...element.children];

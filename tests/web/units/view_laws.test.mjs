@@ -782,6 +782,8 @@ test('a place that is hidden is looked at from a side where it is seen, if there
   assert.deepEqual([hit(undefined), hit(5), hit(2)], [false, false, true]);
   assert.ok(rays[0].origin.z > point.z && rays[0].origin.z < 1);
   near(rays[0].direction.z, 1, 'towards the camera');
+  const upTo = point.z + 4 - rays[0].origin.z;
+  assert.deepEqual([hit(upTo - 1e-6), hit(upTo + 1e-6)], [true, false], 'up to the camera');
 });
 
 test('lines on the surface are between one and six pixels wide, what is outlined the widest', () => {

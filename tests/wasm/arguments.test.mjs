@@ -26,6 +26,24 @@ async function refused(client, call, message) {
   assert.doesNotMatch(error.message, /--[a-z]/, 'no flags of the command line');
 }
 
+test('a mesh without names: every index is looked at, every array is as long as it has to be', () =>
+  withClient(async (client) => {
+    const positions = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
+    const triangles = [0, 1, 2, 0, 2, 3];
+    const made = (mesh) => client.parametrizeMesh({ positions, ...mesh });
+    assert.equal((await made({ triangles })).certificate.triangles, 2);
+    for (const i of triangles.keys())
+      for (const v of [4, -1, 0.5, NaN, Infinity])
+        await refused(client, () => made({ triangles: triangles.with(i, v) }), new RegExp(`triangle ${Math.floor(i / 3)} .*vertex ${v};`)); // prettier-ignore
+    for (const n of [0, 1, 2, 4, 5]) await refused(client, () => made({ triangles: triangles.slice(0, n) }), /indices/); // prettier-ignore
+    for (const n of [0, 1, 2, 4, 10]) await refused(client, () => made({ positions: positions.slice(0, n), triangles }), /three numbers/); // prettier-ignore
+    // Without indices every three vertices are a triangle.
+    await refused(client, () => made({}), /there are 4/);
+    const { certificate } = await made({ positions: positions.slice(0, 9) });
+    assert.equal(certificate.triangles, 1);
+    assert.equal((await made({ positions: Float32Array.from(positions), triangles: Uint16Array.from(triangles) })).certificate.certified, true); // prettier-ignore
+  }));
+
 test('wrong arguments are usage errors, and the model stays loaded', () =>
   withClient(async (client) => {
     const model = await client.load(disk, { name: 'disk.obj' });

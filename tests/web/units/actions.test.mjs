@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { effect } from '@preact/signals-core';
 import { deleteCone, setPrescription } from '../../../web/src/actions/edit_cones.ts';
+import { isAutomatic } from '../../../web/src/actions/follow_edits.ts';
 import { frame, lookAtCone } from '../../../web/src/actions/view.ts';
 import { viewActions } from '../../../web/src/actions/view_actions.ts';
 import { isSettled, suggestCones } from '../../../web/src/actions/solve.ts';
@@ -139,6 +140,20 @@ test('choosing a tool says how it is used, choosing it again leads back to turni
       viewActions[tool].run(app);
       assert.deepEqual([app.ui.tool, viewActions.orbit.isOn(app), doc.message], ['orbit', true, undefined]); // prettier-ignore
     }
+  }
+});
+
+test('maps follow edits as the user chose; until then where the first run took less than two seconds', () => {
+  for (const [firstRun, expected] of [
+    [undefined, false],
+    [0, true],
+    [1999, true],
+    [2000, false],
+    [9000, false],
+  ]) {
+    // prettier-ignore
+    for (const automatic of [undefined, true, false])
+      assert.equal(isAutomatic({ doc: { firstRun }, ui: { automatic } }), automatic ?? expected, `${firstRun} ${automatic}`); // prettier-ignore
   }
 });
 

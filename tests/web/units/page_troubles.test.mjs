@@ -79,11 +79,11 @@ test(
     await loadWithoutImages(app);
     assert.equal(doc.model.main, 'second.obj', 'nothing is missing');
 
-    // Closing overtakes what is being unpacked, also where another file comes then.
+    // Closing overtakes what is about to be read, also where another file comes then that takes longer.
     const packed = new Blob([gzipSync(toObj(cubeMesh(12)))]);
-    const before = open(app, fileSet({ 'packed.obj.gz': packed }));
+    const before = open(app, fileSet({ 'before.obj': bytes(cube) }));
     close(app);
-    const after = open(app, fileSet({ 'after.obj': bytes(cube) }));
+    const after = open(app, fileSet({ 'after.obj.gz': packed }));
     await Promise.all([before, after]);
     await until(() => !doc.isBusy);
     assert.equal(doc.model?.main, 'after.obj');

@@ -147,3 +147,24 @@ test('whether the card is at rest is known a frame later, and not waited for wit
   gl.fenceSync = () => null; // the context is lost
   assert.equal(uploads.isAtRest(), true);
 });
+
+test('a frame sends four slices where it has time, one where it has none, and never less', (t) => {
+  const upload = (taken) => {
+    const { gl, writes } = context();
+    let now = 0;
+    performance.now = () => (now += taken / 2); // asked once before and once after each slice, or less often
+    try {
+      const uploads = new SlicedUploads(gl);
+      gl.bindBuffer(1, {});
+      gl.bufferData(1, megabytes(9, 8), 0);
+      const frames = [];
+      for (; uploads.isBusy; frames.push(writes.splice(0).length)) uploads.step();
+      return frames.filter((count) => count > 0);
+    } finally {
+      delete performance.now;
+    }
+  };
+  t.after(() => delete performance.now);
+  assert.deepEqual(upload(0), [4, 4, 2]);
+  assert.deepEqual(upload(40), Array(10).fill(1));
+});

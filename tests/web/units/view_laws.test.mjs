@@ -107,6 +107,18 @@ test('a segment is two triangles over its four corners, with its own colour', ()
   assert.equal(lines.material.depthTest, true);
 });
 
+test('what shaders move is drawn wherever its corners are stored', () => {
+  const things = [new Lines(1), new Wire(1, true), new ConeMarkers(true), new ConeMarkers(false), new SurfaceMarks()]; // prettier-ignore
+  let meshes = 0;
+  for (const thing of things)
+    thing.traverse((one) => {
+      if (!one.isMesh) return;
+      assert.equal(one.frustumCulled, false);
+      meshes += 1;
+    });
+  assert.ok(meshes > things.length, 'all of them draw');
+});
+
 test('lines that are lifted are nearer to the eye, at the same place of the picture', () => {
   const [eye, point] = [new Vector3(3, 4, 5), new Vector3(1, -1, 0.5)];
   for (const thing of [new Lines(1), new Wire(1, true)]) {

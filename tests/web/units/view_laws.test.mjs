@@ -112,7 +112,7 @@ test('what shaders move is drawn wherever its corners are stored', () => {
   let meshes = 0;
   for (const thing of things)
     thing.traverse((one) => {
-      if (!one.isMesh) return;
+      if (!one.geometry) return;
       assert.equal(one.frustumCulled, false);
       meshes += 1;
     });

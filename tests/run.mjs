@@ -64,15 +64,16 @@ function runUnits(log) {
   const isOf = (kind) => (file) => path.basename(file).startsWith(kind);
   const [page, recorded] = ['page_', 'recorded_'].map((kind) => files.filter(isOf(kind)));
   const others = files.filter((file) => ![...page, ...recorded].includes(file));
-  // Each recording begins the page anew, which is possible once in a process.
+  // Each of these begins the page anew, which is possible once in a process.
   const inTurn = async (claims, groups) => {
     const counts = [];
     for (const group of groups) counts.push(await lane(log, claims, group, hooks));
     return sum(counts);
   };
+  const alone = (some) => some.map((file) => [file]);
   return inLanes(files, (claims) => [
-    inTurn(claims, [others, ...recorded.map((file) => [file])]),
-    lane(log, claims, page, hooks),
+    inTurn(claims, [others, ...alone(recorded)]),
+    inTurn(claims, alone(page)),
   ]);
 }
 

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
-namespace hgp {
+#include "hgp/grid/integer_form.h"
+#include "hgp/grid/line_steps.h"
 
-/// Σ factor · y ≥ least.
-struct LineDemand {
-  std::vector<std::pair<int, double>> terms;
-  double least = 1.0;
-};
+namespace hgp {
 
 /// Minimises (y − y₀)ᵀ C⁻¹ (y − y₀), nearly, over integers y that fulfil all demands.
 class LineChoice {
@@ -20,9 +17,9 @@ class LineChoice {
   /// @param covariance  C, symmetric and positive definite
   LineChoice(Eigen::MatrixXd covariance, std::vector<LineDemand> demands);
 
-  /// Moves y₀ to the nearest point that fulfils the demands, by Hildreth's method; rounds one number after another, nearest
-  /// first, and moves the others to their conditional minimum and back behind demands that this has broken; steps by ±1
-  /// then repair what is still broken, and push what they press on. Deterministic.
+  /// Moves y₀ to the nearest point that fulfils the demands, by Hildreth's method, and rounds in a basis reduced for the
+  /// metric in which those that hold with equality there are stiff. Demands that this breaks are asked for with more room, a
+  /// few times; unit steps mend what the best of these roundings breaks, and then lower the form. Deterministic.
   /// @param work  multiply-adds that are left, from which those that were done are taken; at 0 and below nothing is returned
   std::optional<Eigen::VectorXd> near(const Eigen::VectorXd& y0, double& work) const;
 
@@ -30,20 +27,20 @@ class LineChoice {
   int broken(const Eigen::VectorXd& y) const;
 
  private:
-  double valueOf(const LineDemand& demand, const Eigen::VectorXd& y) const;
-  void spread(Eigen::VectorXd& y, Eigen::MatrixXd& C, double& work) const;
-  double roundedAt(Eigen::Index j, Eigen::VectorXd& y, const std::vector<char>& isFixed) const;
-  void moveBack(const Eigen::MatrixXd& C, const std::vector<char>& isFixed, Eigen::VectorXd& y,
-                double& work) const;
-  double missing(const LineDemand& demand, const Eigen::VectorXd& y) const;
-  double missing(const Eigen::VectorXd& y) const;
-  void push(Eigen::Index j, double unit, Eigen::VectorXd& y) const;
-  void repair(Eigen::VectorXd& y, double& work) const;
+  struct Spread {
+    Eigen::VectorXd y;
+    std::vector<double> dual;  ///< per demand
+  };
+  Spread spread(const Eigen::VectorXd& y0, const std::vector<double>& least, double& work) const;
+  Eigen::VectorXd rounded(const Spread& from, const std::vector<double>& weight,
+                          double& work) const;
+  double energy(const Eigen::VectorXd& change) const { return change.dot(S_ * change); }
 
-  Eigen::MatrixXd C_;
+  Eigen::MatrixXd C_, S_;  ///< S = C⁻¹
   std::vector<LineDemand> demands_;
-  std::vector<std::vector<int>> users_;  ///< per number: demands with it
-  double termCount_ = 0.0;               ///< of all demands
+  std::vector<double> curvature_;  ///< aᵀ C a per demand aᵀ y ≥ least
+  double termCount_ = 0.0;         ///< of all demands
+  std::shared_ptr<const LineSteps> steps_;
 };
 
 }  // namespace hgp

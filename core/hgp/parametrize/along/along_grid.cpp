@@ -173,12 +173,14 @@ class GridAligner {
     StraightOptions program;
     program.u = setup_.seamless.field.u;
     const auto n = static_cast<Eigen::Index>(variables_.size());
-    covariance_ = straightCovariance(straightSystemOf(setup_, system), program, variables_);
-    if (covariance_.rows() != n) covariance_ = Eigen::MatrixXd::Identity(n, n);
-    covariance_ = B_ * covariance_ * B_.transpose();
+    Eigen::MatrixXd covariance =
+        straightCovariance(straightSystemOf(setup_, system), program, variables_);
+    if (covariance.rows() != n) covariance = Eigen::MatrixXd::Identity(n, n);
+    covariance = B_ * covariance * B_.transpose();
     y0_ = Eigen::VectorXd(n);
     for (Eigen::Index i = 0; i < n; ++i) y0_[i] = x_[variables_[at(i)]];
     y0_ = B_ * y0_;
+    std::vector<LineDemand> demands;
     for (const LineGap& gap : lineGaps(plane_, kLineReach / scale_)) {
       Eigen::VectorXd d = Eigen::VectorXd::Zero(n);
       bool isBound = true;
@@ -194,22 +196,22 @@ class GridAligner {
       for (Eigen::Index j = 0; j < n; ++j)
         if (std::fabs(inIntegers[j]) > 1e-9)
           demand.terms.push_back({static_cast<int>(j), inIntegers[j]});
-      demands_.push_back(std::move(demand));
+      demands.push_back(std::move(demand));
     }
+    choice_.emplace(std::move(covariance), std::move(demands));
   }
 
   /// One density; true when there is nothing more to do.
   bool attempt(double factor) {
     const double scale = factor * scale_;
-    const LineChoice choice(covariance_, demands_);
-    const std::optional<Eigen::VectorXd> chosen = choice.near(scale * y0_, work_);
+    const std::optional<Eigen::VectorXd> chosen = choice_->near(scale * y0_, work_);
     isExhausted_ = !chosen;
     if (!chosen) {
       out_.report.attempts.push_back({"work limit", factor * factor, 0});
       return true;
     }
     const Eigen::VectorXd& y = *chosen;
-    GridAttempt record{"straight program", factor * factor, choice.broken(y)};
+    GridAttempt record{"straight program", factor * factor, choice_->broken(y)};
     if (record.turned > 0) {
       record.method = "lines that meet";
       out_.report.attempts.push_back(record);
@@ -293,10 +295,10 @@ class GridAligner {
   const StraightPlane plane_;
   SumLattice lattice_;
   std::vector<int> variables_;  ///< real unknowns that integers determine
-  Eigen::MatrixXd B_, covariance_;
+  Eigen::MatrixXd B_;
   Eigen::VectorXd y0_;
   PerFace<double> frames_;  ///< of the map as solved
-  std::vector<LineDemand> demands_;
+  std::optional<LineChoice> choice_;
   double scale_ = 1.0;
   double work_;  ///< multiply-adds left for choices
   bool isExhausted_ = false;

@@ -59,6 +59,7 @@ void ConePlacer::relax(double share) {
 }
 
 void ConePlacer::growTo(int count) {
+  count = std::min(count, mesh_.vertexCount());
   for (int stalls = 0; cones() < count && stalls < 4;) {
     const int before = cones();
     for (int pairs = 1 + (count - before) / 8; pairs > 0; --pairs)

@@ -18,7 +18,7 @@ constexpr int kRoundings = 5;
 constexpr double kTied = 10.0, kStiffer = 3.0;
 /// Room that is added to a broken demand, at most.
 constexpr double kMoreRoom = 1.0;
-/// Multiply-adds of the reduction and factorization of a form over n numbers, divided by n³ (measured).
+/// Multiply-adds of the reduction and factorization of a form over n numbers, divided by n³, in complex numbers.
 constexpr double kReductionWork = 2.0;
 
 Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& C) {

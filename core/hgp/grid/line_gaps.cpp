@@ -32,6 +32,10 @@ class GapFinder {
       const int heading = headingOf(p_, h);
       trace({TriMesh::face(h), 0.5 * (at(h) + at(TriMesh::next(h))), heading + 1}, copyAt(h),
             false);
+      // The third corner may be on a line that no ray of this one meets.
+      const HalfedgeId beside = TriMesh::previous(h);
+      const double height = std::real(std::conj(rotation(heading + 1, 4)) * (at(beside) - at(h)));
+      if (height <= reach_) keep(along(copyAt(h), heading + 1, {}, copyAt(beside)), height, false);
       if (p_.isNode[mesh_.tail(h)]) follow(h);
     }
     for (VertexId cone : p_.cones) {

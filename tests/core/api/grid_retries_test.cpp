@@ -115,6 +115,12 @@ TEST(GridRetries, AComponentSmallerThanItsCellsGetsWholeFractions) {
   EXPECT_GE(1.0 / (grid.spacing * grid.spacing), kMinCells);
   grid = wholeFraction({0.0, 2.0, GridMode::kQuad}, 1.0, 1, halvings);
   EXPECT_EQ(halvings, 4);
+  // Spacings of which the square is no number.
+  for (const double spacing : {1e160, 1e300}) {
+    grid = wholeFraction({0.0, spacing, GridMode::kQuad}, 1.0, 0, halvings);
+    EXPECT_LE(grid.spacing, 1.0) << spacing;
+    EXPECT_GT(grid.spacing, 0.1) << spacing;
+  }
 }
 
 }  // namespace

@@ -151,8 +151,11 @@ GridOptions wholeFraction(const GridOptions& grid, double area, int finer, int& 
   GridOptions out = grid;
   halvings = finer;
   if (!(area > 0.0) || !(grid.spacing > 0.0)) return out;
-  double cells = area / (grid.spacing * grid.spacing);
-  for (; cells < kMinCells; cells *= 4.0) ++halvings;
+  // Neither the square of a spacing nor that of a side need be a number of this range.
+  for (double side = std::sqrt(area) / grid.spacing; side > 0.0 && side * side < kMinCells;) {
+    side *= 2.0;
+    ++halvings;
+  }
   out.spacing = std::ldexp(grid.spacing, -halvings);
   return out;
 }

@@ -225,8 +225,11 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
     const bool isAligned = component && component->grid && component->grid->isAligned;
     if (isAligned && halvings > 0 && own.grid.mode == GridMode::kTile && isFreeOfGrid(*component))
       return solveComponent(p, request, shared);
-    if (isAligned && halvings > 0)
-      run.notes.push_back(Note("grid-smaller-cells", {{"component", p}, {"parts", 1 << halvings}}));
+    if (isAligned && halvings > 0) {
+      const NoteValue parts = halvings < 63 ? NoteValue("parts", 1LL << halvings)
+                                            : NoteValue("parts", std::ldexp(1.0, halvings));
+      run.notes.push_back(Note("grid-smaller-cells", {{"component", p}, parts}));
+    }
     return component;
   }
 }

@@ -110,7 +110,9 @@ class Session {
   val suggestCones(const std::string& options, const val& onProgress) const {
     return guarded([&] {
       const auto how = toSolveOptions(options, onProgress);
-      return how ? replyText(session_.suggest(*how)) : failed(how.error());
+      if (!how) return failed(how.error());
+      auto made = session_.suggest(*how);
+      return made ? replyText(std::move(made->json)) : failed(made.error());
     });
   }
 

@@ -223,6 +223,8 @@ class Parser {
     }
     if (out_.solve.frames == api::FrameSource::kFile && out_.field.empty())
       refuse("--frames file needs --field");
+    if (out_.solve.refines && !words_.symmetric.empty())
+      refuse("--refine and --symmetric exclude each other: a refined mesh is not symmetric");
     const GridOptions& grid = out_.solve.grid;
     if (!words_.cells.empty() && grid.spacing > 0) refuse("--cells and --grid exclude each other");
     const bool isGrid = grid.isAsked() || out_.solve.choosesCells;
@@ -293,6 +295,7 @@ class Parser {
       const bool isOption = word.compare(0, 2, "--") == 0;
       if (isOption != (&app != &app_)) continue;
       if (std::find(names.begin(), names.end(), word) != names.end()) continue;
+      if (!isOption) text = "there is no command '" + word + "'";
       const std::string nearest = text::nearestOf(word, names);
       if (!nearest.empty()) text += "; did you mean " + nearest + "?";
       break;

@@ -93,6 +93,12 @@ class Run {
                  printable(message).c_str());
   }
 
+  void tell(const Notes& notes) {
+    progress_.clear();
+    for (const Note& note : notes)
+      if (!a_.isQuiet) std::fprintf(stderr, "  note: %s\n", printable(phrase(note)).c_str());
+  }
+
   /// hgp-error with the file.
   std::string errorDocument(const Failure& failure) const {
     auto json = nlohmann::ordered_json::parse(api::errorJson(failure));
@@ -305,9 +311,7 @@ class Run {
     if (Status loaded = from.load(std::move(*files), a_.load); !loaded) return loaded.error();
     Result<api::MovedCones> moved = session_.transfer(cones, from);
     if (!moved) return moved.error();
-    progress_.clear();
-    for (const Note& note : moved->lost)
-      if (!a_.isQuiet) std::fprintf(stderr, "  note: %s\n", printable(phrase(note)).c_str());
+    tell(moved->lost);
     return std::move(moved->json);
   }
 
@@ -322,7 +326,10 @@ class Run {
     }
     api::SolveOptions options = a_.solve;
     options.progress = progress_.callback();
-    return session_.suggest(options);
+    Result<api::SuggestedCones> chosen = session_.suggest(options);
+    if (!chosen) return chosen.error();
+    tell(chosen->notes);
+    return std::move(chosen->json);
   }
 
   int cones() {

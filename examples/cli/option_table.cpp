@@ -3,24 +3,33 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <limits>
 
 #include "hgp/api/option_table.h"
 #include "hgp/api/option_words.h"
+#include "hgp/base/check.h"
 #include "hgp/features/creases.h"
 
 namespace hgp::cli {
 namespace {
 
-/// A lower bound. CLI11's own range checks print the largest double and accept NaN.
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+
+/// "" where a word is a number within the bounds, else why not. CLI11's own range checks print the largest double and
+/// accept NaN.
+std::string whyNoNumber(const std::string& word, double low, double high, bool isOpen) {
+  double value = 0;
+  const bool isNumber = CLI::detail::lexical_cast(word, value) && std::isfinite(value);
+  if (isNumber && (isOpen ? value > low : value >= low) && value <= high) return "";
+  const std::string bounds = high < kNoEnd ? formatText("from %g to %g", low, high)
+                                           : (isOpen ? "> " : "≥ ") + formatText("%g", low);
+  return "must be a number " + bounds + ", not '" + word + "'";
+}
+
 CLI::Validator atLeast(double low, bool isOpen = false) {
-  const auto check = [low, isOpen](const std::string& text) {
-    double value = 0;
-    const bool isNumber = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-    if (isNumber && (isOpen ? value > low : value >= low)) return std::string();
-    return "must be a number " + std::string(isOpen ? "> " : "≥ ") + (low == 0 ? "0" : "1") +
-           ", not '" + text + "'";
-  };
-  return CLI::Validator(check, "");
+  return CLI::Validator(
+      [low, isOpen](const std::string& word) { return whyNoNumber(word, low, kNoEnd, isOpen); },
+      "");
 }
 
 CLI::Validator oneOf(const std::vector<std::string>& choices) { return CLI::IsMember(choices); }
@@ -151,7 +160,8 @@ class Table {
   }
 
   void addChoice(CLI::App* sub, const char* count) {
-    sub->add_option(count, out_.solve.coneCount, "Automatic cones: how many")
+    sub->add_option(count, out_.solve.coneCount,
+                    "Automatic cones: how many; 0, the default, is up to --cones-for")
         ->option_text("N")
         ->check(atLeast(0));
     choice(sub->add_option("--cones-for", words_.conesFor,
@@ -178,7 +188,8 @@ class Table {
         ->option_text("N|auto")
         ->check(CLI::Validator(
             [](const std::string& word) {
-              return word == "auto" ? std::string() : atLeast(1)(const_cast<std::string&>(word));
+              const api::OptionRow& row = *api::rowOfFlag<api::SolveOptions>("--cells");
+              return word == "auto" ? std::string() : whyNoNumber(word, row.low, row.high, false);
             },
             ""));
     sub->add_option("--grid", out_.solve.grid.spacing,
@@ -328,7 +339,13 @@ class Table {
         ->check(CLI::Range(1, 1000));
     // These functions are called after the table has been destroyed.
     const auto improve = [&out = out_](const std::string& word) {
-      out.solve.improve.emplace().balance = api::improveBalance(word).value_or(std::nan(""));
+      const std::optional<double> balance = api::improveBalance(word);
+      if (!balance)
+        throw CLI::ValidationError("--improve",
+                                   "must be isometric, conformal, area or a number from -1 "
+                                   "(angles) through 0 (isometric) to 1 (areas), not '" +
+                                       word + "'");
+      out.solve.improve.emplace().balance = *balance;
     };
     sub->add_option_function<std::string>(
            "--improve", improve,

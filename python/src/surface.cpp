@@ -144,13 +144,13 @@ std::string Surface::suggest(const py::dict& options, bool isReproducible,
   api::SolveOptions how = toSolveOptions(options);
   how.progress = watch.progress();
   Arithmetic::check(isReproducible);
-  Result<std::string> made = alone_.run([&]() -> Result<std::string> {
+  Result<api::SuggestedCones> made = alone_.run([&]() -> Result<api::SuggestedCones> {
     if (Status done = ready(); !done) return done.error();
     const Arithmetic arithmetic(isReproducible);
     return session_.suggest(how);
   });
   if (!made) watch.raise(made.error());
-  return std::move(*made);
+  return std::move(made->json);
 }
 
 std::string Surface::convert(const py::dict& asked) {

@@ -95,3 +95,32 @@ test('inspect says how often the nodes of a glTF show a mesh', () => {
   for (const { uses, mirrored } of JSON.parse(stdout).surfaces)
     assert.deepEqual([uses, mirrored], [1, false]);
 });
+
+test('another number of cones than asked for is told, and only then', () => {
+  put('cube.obj', toObj(cubeMesh(5)));
+  const told = (...args) => good('cones', at('cube.obj'), '--no-progress', ...args, '-o', at('few.json')).err; // prettier-ignore
+  for (const asked of [1, 8, 10_000]) {
+    const err = told('--count', asked);
+    const placed = read('few.json').cones.length;
+    assert.equal(err !== '', placed !== asked, `${asked}: ${err}`);
+    if (err) assert.match(err, new RegExp(`\\b${asked}\\b.*\\b${placed}\\b`));
+  }
+  assert.equal(told('--count', 1, '--quiet'), '');
+  assert.equal(told(), '');
+});
+
+test('a component is named once where cones for it cannot be chosen', () => {
+  const { vertices, triangles } = cubeMesh(2);
+  const moved = vertices.map(([x, y, z]) => [x + 5, y, z]);
+  const second = triangles.map((t) => t.map((v) => v + vertices.length));
+  const two = { vertices: [...vertices, ...moved], triangles: [...triangles, ...second] };
+  put('two.obj', toObj(two));
+  for (const args of [
+    ['cones', at('two.obj')],
+    ['param', at('two.obj'), '-o', at('two.out.obj')],
+  ]) {
+    const { code, err } = run(...args, '--q', 1, '--no-progress');
+    assert.equal(code, 5);
+    assert.equal(err.split('component').length, 2, err);
+  }
+});

@@ -114,6 +114,21 @@ test('help is the same by every name, and goes to standard output', () => {
   assert.match(wrong.err, /did you mean param\?/);
 });
 
+test('a word that is not understood is named', () => {
+  const mesh = ['x.obj', '-o', 'y.obj'];
+  for (const [word, args] of [
+    ['parametrise', ['parametrise', 'x.obj']],
+    ['2.5', ['param', ...mesh, '--improve', '2.5']],
+    ['nan', ['param', ...mesh, '--improve', 'nan']],
+    ['1e300', ['param', ...mesh, '--cells', '1e300']],
+    ['0.5', ['quads', ...mesh, '--cells', '0.5']],
+  ]) {
+    const { code, err } = run(args);
+    assert.equal(code, 2, word);
+    assert.ok(err.includes(`'${word}'`), err);
+  }
+});
+
 test('placeholders say what an option wants', () => {
   const { out } = run(['param', '--help']);
   for (const expected of [

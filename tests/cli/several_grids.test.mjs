@@ -9,7 +9,7 @@ import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { inFolder } from '../support/program.mjs';
 import { flatSquare, torusMesh } from '../web/shapes.mjs';
 
-const { folder, put, run, read, good } = inFolder('several-grids');
+const { at, folder, put, run, read, good } = inFolder('several-grids');
 
 /** Twice the area of a triangle with these corners; with two coordinates, signed. */
 function doubleArea([a, b, c]) {
@@ -231,4 +231,14 @@ test('a number of cells that was not reached is said without cones where there a
   const { asked, cones, cells } = notes.find(({ code }) => code === 'grid-cells-far').numbers;
   assert.deepEqual([asked, cones], [300, 0]);
   assert.ok(cells > 0 && cells !== 300);
+});
+
+test('cells that are too small are refused with a length that works', () => {
+  put('cube.obj', toObj(cubeMesh(3)));
+  const asked = (length) => run('param', at('cube.obj'), '--grid', length, '-o', at('tiny.obj'));
+  const { code, err } = asked(1e-300);
+  assert.equal(code, 2);
+  const [, works] = err.match(/edges of (\S+) or more/);
+  assert.equal(asked(works).code, 0);
+  assert.equal(asked(Number(works) / 1.1).code, 2);
 });

@@ -109,7 +109,7 @@ void moved(Recorder& r, const Shape& from, const Shape& to) {
   const api::Session before = loaded(from.data);
   api::Session after = loaded(to.data);
   const auto suggested = before.suggest({});
-  const auto moved = after.transfer(readCones(*suggested), before);
+  const auto moved = after.transfer(readCones(suggested->json), before);
   if (!moved) return r.failure("transfer", moved.error());
   r.json("cones", moved->json);
   r.notes("lost", moved->lost);

@@ -39,7 +39,7 @@ constexpr std::array kSolveRows{
     OptionRow{"scale", "--scale", "scale", K::kWord, "solved|unit|fit"},
     OptionRow{"refine", "--refine", "refine", K::kFlag},
     OptionRow{"convexPolygons", "--convex-polygons", "convex_polygons", K::kFlag},
-    OptionRow{"grid.cells", "--cells", "cells", K::kNumber, "", 1, kNoEnd},
+    OptionRow{"grid.cells", "--cells", "cells", K::kNumber, "", 1, 1e15},
     OptionRow{"grid.spacing", "--grid", "grid", K::kNumber, "", 0, kNoEnd, true},
     OptionRow{"grid.mode", "--grid-mode", "grid_mode", K::kWord, "tile|quad"},
     OptionRow{"symmetric", "--symmetric", "symmetric", K::kWord, "auto|X|Y|Z"},

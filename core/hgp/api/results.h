@@ -78,6 +78,12 @@ struct MovedCones {
   Notes lost;  ///< what has no place
 };
 
+/// Cones that Session::suggest() has chosen, as hgp-cones.
+struct SuggestedCones {
+  std::string json;
+  Notes notes;  ///< where their number is another than the one asked for
+};
+
 /// A result that stays usable while its session computes others: see Session::use(). Cheap to copy.
 class StoredResult {
   friend class Session;

@@ -38,7 +38,7 @@ class Session {
   Result<Verdict> inspect() const;  ///< hgp-inspect; isGood: the mesh can be parametrized
   /// hgp-check: whether the prescription satisfies Lemma 6.2 on every component, in integers; solves nothing.
   Result<Verdict> check(const prescription::Prescription& prescription) const;
-  Result<std::string> suggest(const SolveOptions& options) const;  ///< automatic cones as hgp-cones
+  Result<SuggestedCones> suggest(const SolveOptions& options) const;  ///< automatic cones
   /// Any prescription on this surface as complete hgp-cones with positions; a field becomes cones and rotations.
   Result<std::string> convert(const prescription::Prescription& prescription) const;
   Result<FeatureList> features(const prescription::Prescription& p, const std::string& name) const;

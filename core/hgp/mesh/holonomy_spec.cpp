@@ -100,6 +100,20 @@ Status checkLimits(const TriMesh& mesh, const Topology& topology, const Holonomy
   return Done{};
 }
 
+std::string newCones(long long count, long long k) {
+  return count == 1 ? formatText("a new cone of k=%lld", k)
+                    : formatText("%lld new cones of k=%lld", count, k);
+}
+
+/// New cones of fewer than q that take an excess away: half a turn more each, which six triangles hold with right angles.
+std::string wideCones(long long excess, int q) {
+  const long long each = std::max(1, q / 2);
+  const long long count = excess / each;
+  const long long rest = excess % each;
+  if (count == 0 || rest == 0) return newCones(std::max(1LL, count), q + (count ? each : rest));
+  return newCones(count, q + each) + " and " + newCones(1, q + rest);
+}
+
 /// Advice on how to distribute a missing amount, or how to remove an excess.
 std::string budgetAdvice(long long missing, int q, bool hasLoops) {
   const long long n = std::abs(missing);
@@ -107,13 +121,12 @@ std::string budgetAdvice(long long missing, int q, bool hasLoops) {
                                              : ", or lower turning indices by as much")
                               : "";
   if (missing > 0) {
-    const std::string example = n < q ? formatText("a new cone of k=%lld", q - n)
-                                      : formatText("%lld new cones of k=%d", n, q - 1);
+    const std::string example = n < q ? newCones(1, q - n) : newCones(n, q - 1);
     return formatText("%lld missing: lower the k of cones by %lld in total (%s)%s", n, n,
                       q > 1 ? example.c_str() : "q=1 has no cones of positive curvature", turn);
   }
-  return formatText("%lld too many: raise the k of cones by %lld in total (a new cone of k=%lld)%s",
-                    n, n, q + n, turn);
+  return formatText("%lld too many: raise the k of cones by %lld in total (%s)%s", n, n,
+                    wideCones(n, q).c_str(), turn);
 }
 
 /// The range of sums that the turning indices of the open loops can have.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <regex>
 
 #include "support/notes.h"
 #include "support/shapes.h"
@@ -64,6 +65,37 @@ TEST(HolonomySpec, GaussBonnetReportsTheDifferenceAndHowToBalanceIt) {
             "Gauss–Bonnet (Lemma 6.2): Σ = 10, need 8 (q=4, g=0, m=0); 2 too many: raise the k of "
             "cones by 2 in total (a new cone of k=6).");
   EXPECT_TRUE(contains(refusal(sphere, specOf(sphere, 4, {})), "8 missing"));
+}
+
+/// The k of the cones that a refusal advises: "2 new cones of k=6 and a new cone of k=5".
+std::vector<int> advisedCones(const std::string& refusal) {
+  std::vector<int> all;
+  const std::regex one(R"((\d+|a) new cones? of k=(\d+))");
+  for (std::sregex_iterator it(refusal.begin(), refusal.end(), one), end; it != end; ++it)
+    for (int n = (*it)[1] == "a" ? 1 : std::stoi((*it)[1]); n > 0; --n)
+      all.push_back(std::stoi((*it)[2]));
+  return all;
+}
+
+TEST(HolonomySpec, AdvisedConesBalanceAndFitOnVerticesOfSixTriangles) {
+  for (const test::Shape& shape : {test::icosphere(4), test::pretzel(2, 4), test::torus(16, 8)}) {
+    const Surface s = surfaceOf(shape);
+    for (int q : {1, 2, 3, 4, 5, 6, 7}) {
+      for (int lowered = q > 1 ? 1 : 0; lowered < 12; ++lowered) {
+        const std::vector<int> given = times(lowered, q - 1);
+        const std::vector<int> advised = advisedCones(refusal(s, specOf(s, q, given)));
+        if (advised.empty()) continue;  // balanced, or q = 1 has no cones of positive curvature
+        long long sum = 0;
+        for (const int k : given) sum += q - k;
+        for (const int k : advised) {
+          sum += q - k;
+          EXPECT_LT(2 * k, q * 6) << shape.name << q;
+          EXPECT_GE(k, 1) << shape.name << q;
+        }
+        EXPECT_EQ(sum, q * shape.eulerCharacteristic()) << shape.name << q << ' ' << lowered;
+      }
+    }
+  }
 }
 
 TEST(HolonomySpec, BudgetHoldsForEveryShapeWhenOneConeTakesTheRest) {

@@ -146,17 +146,21 @@ Result<Verdict> Session::check(const prescription::Prescription& prescription) c
   });
 }
 
-Result<std::string> Session::suggest(const SolveOptions& options) const {
-  return guarded([&]() -> Result<std::string> {
+Result<SuggestedCones> Session::suggest(const SolveOptions& options) const {
+  return guarded([&]() -> Result<SuggestedCones> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     std::vector<HolonomySpec> specs;
+    SuggestedCones out;
     for (std::size_t p = 0; p < state_->model->components.size(); ++p) {
       Result<CompleteSpec> spec = state_->chooseCones(p, options);
-      if (!spec) return spec.error();
+      if (!spec) return toSurfaceIds(*state_->model, state_->model->components[p], spec.error());
+      if (std::optional<Note> other = countNote(options.coneCount, *spec))
+        out.notes.push_back(std::move(*other));
       state_->dropLarge(p);
       specs.push_back(toSpec(*spec));
     }
-    return prescription::writeConesJson(describe(*state_->model, specs));
+    out.json = prescription::writeConesJson(describe(*state_->model, specs));
+    return out;
   });
 }
 

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "hgp/api/option_table.h"
 #include "hgp/api/request/feature_request.h"
 #include "hgp/api/request/grid_retries.h"
 #include "hgp/api/request/mirror_request.h"
@@ -37,6 +38,22 @@ GridOptions sharedGrid(const Model& model, GridOptions grid) {
   double area = 0;
   for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
   return {0.0, std::sqrt(area / grid.cells), grid.mode};
+}
+
+/// Refuses cells so small that their number is none that `cells` could be.
+Status checkSpacing(const Model& model, const GridOptions& grid) {
+  if (!(grid.spacing > 0.0)) return Done{};
+  double area = 0.0;
+  for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
+  const double most = rowOfFlag<SolveOptions>("--cells")->high;
+  if (area / grid.spacing / grid.spacing <= most) return Done{};
+  // A hundredth more than the least, so that the printed length works, too.
+  return Failure{ErrorCode::kUsage,
+                 "align",
+                 formatText("cells with edges of %g would be more than %g on this surface of area "
+                            "%g; edges of %.3g or more are possible",
+                            grid.spacing, most, area, 1.01 * std::sqrt(area / most)),
+                 {}};
 }
 
 /// Surfaces of more components are prepared again by every call, as large ones are.
@@ -91,9 +108,7 @@ Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptio
   SuggestOptions suggest = suggestOptions(options.q, options);
   const GridOptions grid = sharedGrid(*model, options.grid);
   if (grid.isAsked()) suggest.spacing = roomForGrid(grid.spacing, grid.mode, options.q);
-  Result<CompleteSpec> spec = suggestCones(surfaceOf(p), suggest, times);
-  if (!spec) return toSurfaceIds(*model, model->components[p], spec.error());
-  return spec;
+  return suggestCones(surfaceOf(p), suggest, times);
 }
 
 namespace {
@@ -236,6 +251,7 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
 
 Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
+  if (Status possible = checkSpacing(*model, options.grid); !possible) return possible;
   SolveOptions shared = options;
   shared.grid = sharedGrid(*model, options.grid);
   std::vector<ComponentMap> maps;

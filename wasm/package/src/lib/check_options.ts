@@ -77,7 +77,8 @@ const bounded = ({ low = -Infinity, high = Infinity, isOpen }: OptionRow, value:
 
 /** "a number from -1 to 1" */
 function numberName({ low, high, isOpen }: OptionRow): string {
-  if (high !== undefined) return `a number from ${low} to ${high}`;
+  if (high !== undefined)
+    return `a number from ${low} to ${high < 1e6 ? high : high.toExponential()}`;
   if (low === undefined) return 'a number';
   return isOpen
     ? low === 0

@@ -50,7 +50,7 @@ export const optionTable: Record<'load' | 'solve' | 'verify' | 'write', OptionRo
     { name: 'scale', kind: 'word', words: ['solved', 'unit', 'fit'] },
     { name: 'refine', kind: 'flag' },
     { name: 'convexPolygons', kind: 'flag' },
-    { name: 'grid.cells', kind: 'number', low: 1 },
+    { name: 'grid.cells', kind: 'number', low: 1, high: 1000000000000000 },
     { name: 'grid.spacing', kind: 'number', low: 0, isOpen: true },
     { name: 'grid.mode', kind: 'word', words: ['tile', 'quad'] },
     { name: 'symmetric', kind: 'word', words: ['auto', 'X', 'Y', 'Z'] },

@@ -187,19 +187,15 @@ class Parser {
     o.grid.mode = api::gridModeNamed(words_.gridMode).value_or(o.grid.mode);
   }
 
-  bool hasFeatures() const {
-    return out_.hasRims || out_.creaseDegrees || !out_.marks.empty() || !out_.features.empty();
-  }
-
   void takeMesh() {
     const bool isAsked = !out_.cones.empty() || !words_.cone.empty() || !words_.turning.empty() ||
-                         !words_.handle.empty() || !out_.field.empty() || hasFeatures() ||
+                         !words_.handle.empty() || !out_.field.empty() || !out_.features.empty() ||
                          !out_.xref.empty() || !out_.also.empty() || !out_.faces.empty();
     out_.isEveryMesh = words_.mesh == "all" || (words_.mesh.empty() && !isAsked);
     if (words_.mesh == "all" && isAsked) {
       throw CLI::ValidationError(
           "--mesh all",
-          "cannot be combined with cones, features, --field, --xref, --faces or "
+          "cannot be combined with cones, --features, --field, --xref, --faces or "
           "--also: they apply to one mesh");
     }
     if (words_.mesh.empty() || words_.mesh == "all" || words_.mesh == "largest") return;
@@ -216,7 +212,7 @@ class Parser {
       refuse("--strict and --fix exclude each other");
     if (!out_.cones.empty() && !out_.cone.empty()) refuse("--cones and --cone exclude each other");
     const bool isAsked = !out_.cones.empty() || !out_.cone.empty() || !out_.turning.empty() ||
-                         !out_.handle.empty() || !out_.field.empty() || hasFeatures();
+                         !out_.handle.empty() || !out_.field.empty() || out_.hasFeatures();
     if (isAsked && out_.solve.boundary == api::BoundaryKind::kConvex) {
       refuse(
           "--boundary convex cannot be combined with cones, turning, handles, features or a field");

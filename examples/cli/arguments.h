@@ -33,12 +33,11 @@ struct Arguments {
   bool isEveryMesh = true;    ///< param and verify: process all meshes of the file
 
   std::optional<int> q;
-  bool hasRims = false;                          ///< --rims
-  std::optional<double> creaseDegrees;           ///< --creases
-  std::vector<prescription::FeatureMark> marks;  ///< --marked
-  std::string features;                          ///< file
-  std::string cones, field, convert;             ///< files
-  std::string balance, transfer, from;           ///< cones: files, and the mesh of `transfer`
+  prescription::PrescribedFeatures everyMesh;  ///< --rims, --creases and --marked
+  std::string features;                        ///< file, of one mesh
+  bool hasFeatures() const { return !everyMesh.isEmpty() || !features.empty(); }
+  std::string cones, field, convert;    ///< files
+  std::string balance, transfer, from;  ///< cones: files, and the mesh of `transfer`
   std::vector<std::pair<int, int>> cone, turning, handle;  ///< V:K, L:J, G:R
   bool ignoresEmbedded = false;
   api::SolveOptions solve;

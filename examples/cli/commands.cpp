@@ -221,13 +221,9 @@ class Run {
 
   /// Adds the features of --rims and --features.
   Status addFeatures(prescription::PrescribedFeatures& features) {
-    prescription::PrescribedFeatures flags;
-    flags.hasRims = a_.hasRims;
-    flags.creaseDegrees = a_.creaseDegrees;
-    flags.marks = a_.marks;
     Result<std::optional<prescription::PrescribedFeatures>> list = readFeatureList();
     if (!list) return list.error();
-    prescription::addFeatures(features, std::move(*list), flags);
+    prescription::addFeatures(features, std::move(*list), a_.everyMesh);
     return Done{};
   }
 
@@ -247,10 +243,6 @@ class Run {
     return List(std::move(*read));
   }
 
-  bool hasFeatures() const {
-    return a_.hasRims || a_.creaseDegrees || !a_.marks.empty() || !a_.features.empty();
-  }
-
   /// The prescription from the options; empty if they prescribe nothing.
   Result<std::optional<prescription::Prescription>> prescription() {
     std::optional<prescription::Prescription> asked;
@@ -267,7 +259,7 @@ class Run {
       asked = std::move(*cones);
     }
     const bool isTyped =
-        !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty() || hasFeatures();
+        !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty() || a_.hasFeatures();
     if (!asked && !isTyped && !a_.ignoresEmbedded) {
       Result<std::optional<prescription::Prescription>> embedded = session_.embeddedCones();
       if (!embedded) return embedded.error();
@@ -347,7 +339,7 @@ class Run {
   int features() {
     prescription::Prescription asked;
     if (Status done = addFeatures(asked.features); !done) return fail(done.error());
-    if (!hasFeatures()) asked.features.creaseDegrees = kCreaseDegrees;
+    if (!a_.hasFeatures()) asked.features.creaseDegrees = kCreaseDegrees;
     const bool isFile = !a_.output.empty() && a_.output != "-";
     Result<api::FeatureList> list = session_.features(asked, isFile ? a_.output : "features.json");
     if (!list) return fail(list.error());

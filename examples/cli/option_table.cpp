@@ -81,8 +81,8 @@ class Table {
                            "Format of standard input (default: recognised from its bytes)"),
            {"obj", "off", "ply", "stl", "gltf", "glb"});
     sub->add_option("--mesh", words_.mesh,
-                    "Which mesh of the file, from 0 (default: all for param and verify without "
-                    "cones, otherwise the largest)")
+                    "Which mesh of the file, from 0 (default: all for param and verify, the "
+                    "largest where an option is of one mesh, as cones are)")
         ->option_text("all|largest|N");
     sub->add_option("--weld", words_.weld,
                     "Join vertices at equal positions, or closer than this length (default: exact "
@@ -260,13 +260,13 @@ class Table {
   void addFeatures(CLI::App* sub) {
     sub->option_defaults()->group("Features");
     sub->add_flag(
-        "--rims", out_.hasRims,
+        "--rims", out_.everyMesh.hasRims,
         "Boundary edges become straight lines along the axes of the map, exactly (q = 4)");
     // This function is called after the table has been destroyed.
     const auto take = [&out = out_](const std::string& word) {
       double degrees = kCreaseDegrees;
       if (!word.empty()) CLI::detail::lexical_cast(word, degrees);
-      out.creaseDegrees = degrees;
+      out.everyMesh.creaseDegrees = degrees;
     };
     sub->add_option_function<std::string>("--creases", take,
                                           "So do edges with a dihedral angle above DEGREES "
@@ -284,7 +284,7 @@ class Table {
             },
             ""));
     const auto takeMarks = [&out = out_](const std::string& list) {
-      out.marks = marksOfList(list).value_or(std::vector<prescription::FeatureMark>());
+      out.everyMesh.marks = marksOfList(list).value_or(std::vector<prescription::FeatureMark>());
     };
     sub->add_option_function<std::string>(
            "--marked", takeMarks,

@@ -16,6 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// As for one mesh: what is asked for replaces what is stored.
+bool ignoresEmbedded(const Arguments& asked) {
+  return asked.ignoresEmbedded || asked.hasFeatures();
+}
+
 /// A GLB that becomes a .gltf stays one until all meshes are written.
 api::WriteOptions writeOptions(const api::Session& session, const Arguments& asked) {
   api::WriteOptions options = asked.write;
@@ -48,7 +53,8 @@ Result<FileOutcome> parametrizeAll(api::Session& session, const Arguments& asked
   options.solve.progress = progress;
   options.write = writeOptions(session, asked);
   options.q = asked.q;
-  options.ignoresEmbedded = asked.ignoresEmbedded;
+  options.ignoresEmbedded = ignoresEmbedded(asked);
+  options.features = asked.everyMesh;
   Result<api::FileOutcome> made = api::parametrizeFile(session, options);
   if (!made) return made.error();
   FileOutcome out;
@@ -73,9 +79,12 @@ Result<FileOutcome> verifyAll(api::Session& session, const Arguments& asked) {
     one.mesh = mesh;
     Status done = session.choose(mesh);
     if (done) {
-      const auto cones = api::storedCones(session, asked.q, asked.ignoresEmbedded);
+      auto cones = api::storedCones(session, asked.q, ignoresEmbedded(asked));
       Result<api::Verdict> verdict =
-          cones ? session.verify(*cones, asked.verify) : Result<api::Verdict>(cones.error());
+          cones ? session.verify(
+                      api::withFeatures(std::move(*cones), asked.q.value_or(4), asked.everyMesh),
+                      asked.verify)
+                : Result<api::Verdict>(cones.error());
       if (verdict) {
         one.isCertified = verdict->isGood;
         one.json = verdict->json;

@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { toObj } from '../support/meshes.mjs';
+import { NodeIO } from '@gltf-transform/core';
+import { toGlb, toObj } from '../support/meshes.mjs';
 import { inFolder, shared } from '../support/program.mjs';
 import { problems } from './schema.mjs';
 
@@ -533,6 +534,39 @@ test('a part has a grid where integers turn triangles away from the map as solve
   good('param', part, asked, '-o', 'part.obj', '--force', '--json', 'part.json');
   const [{ grid }] = JSON.parse(read('part.json')).components;
   assert.ok(grid.aligned && Math.abs(grid.cells / 800 - 1) < 0.2, `${grid.cells} cells`);
+});
+
+test('creases and rims are those of every mesh of a file', async () => {
+  const boxes = [box(3), box(2, true), box(4)];
+  put('boxes.glb', toGlb(boxes));
+  good('param', 'boxes.glb', '--creases', '--rims', '-o', 'out.glb', '--json', 'out.json');
+  assert.equal(JSON.parse(read('out.json')).meshes.length, 3);
+  const meshes = (await new NodeIO().read(at('out.glb'))).getRoot().listMeshes();
+  meshes.forEach((mesh, n) => {
+    const [part] = mesh.listPrimitives();
+    const rows = (name, size) => {
+      const values = [...part.getAttribute(name).getArray()];
+      return Array.from({ length: values.length / size }, (_, i) => values.slice(size * i, size * (i + 1))); // prettier-ignore
+    };
+    const [uv, points] = [rows('TEXCOORD_0', 2), rows('POSITION', 3).map(String)];
+    const corners = [...part.getIndices().getArray()];
+    const asked = new Set(boxes[n].creases.map((edge) => edge.map((v) => String(boxes[n].vertices[v].map(Math.fround))).sort().join('|'))); // prettier-ignore
+    const faces = Array.from({ length: corners.length / 3 }, (_, f) => corners.slice(3 * f, 3 * f + 3)); // prettier-ignore
+    const found = new Set();
+    for (const t of faces)
+      for (let k = 0; k < 3; k++) {
+        const [a, b] = [t[k], t[(k + 1) % 3]];
+        const edge = [points[a], points[b]].sort().join('|');
+        if (!asked.has(edge)) continue;
+        found.add(edge);
+        assert.notEqual(uv[a][0] === uv[b][0], uv[a][1] === uv[b][1], `mesh ${n}, ${edge}`);
+      }
+    assert.equal(found.size, asked.size, `mesh ${n}`);
+  });
+  good('verify', 'out.glb', '--creases', '--rims');
+  // Of the smooth default maps, none has them straight.
+  good('param', 'boxes.glb', '-o', 'free.glb');
+  assert.equal(run('verify', 'free.glb', '--creases').code, 6);
 });
 
 test('parts with lists of their sharp edges', (t) => {

@@ -39,6 +39,11 @@ struct FileOutcome {
 /// where the file cannot be written; failures of single meshes are in the outcome.
 Result<FileOutcome> parametrizeFile(Session& session, const WholeFileOptions& options);
 
+/// A prescription, or none, with the features of every mesh.
+std::optional<prescription::Prescription> withFeatures(
+    std::optional<prescription::Prescription> cones, int q,
+    const prescription::PrescribedFeatures& features);
+
 /// The cones stored in the loaded mesh, if these options use them.
 Result<std::optional<prescription::Prescription>> storedCones(const Session& session,
                                                               std::optional<int> q,

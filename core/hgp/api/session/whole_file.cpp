@@ -53,11 +53,9 @@ Status solveOne(Session& session, const WholeFileOptions& options, const SolveOp
       std::optional<prescription::Prescription>();
   if (solve.boundary != BoundaryKind::kConvex)
     cones = storedCones(session, options.q, options.ignoresEmbedded);
-  if (cones && !options.features.isEmpty()) {
-    if (!*cones) cones->emplace().q = options.solve.q;
-    (*cones)->features = options.features;
-  }
-  return cones ? session.parametrize(*cones, solve) : Status(cones.error());
+  if (!cones) return cones.error();
+  return session.parametrize(withFeatures(std::move(*cones), options.solve.q, options.features),
+                             solve);
 }
 
 Result<WrittenFile> writeOnly(const Session& session, const WriteOptions& options) {
@@ -74,6 +72,15 @@ Result<WrittenFile> writeOnly(const Session& session, const WriteOptions& option
 
 bool FileOutcome::isWhole() const {
   return std::all_of(meshes.begin(), meshes.end(), [](const MeshOutcome& m) { return m.isGood(); });
+}
+
+std::optional<prescription::Prescription> withFeatures(
+    std::optional<prescription::Prescription> cones, int q,
+    const prescription::PrescribedFeatures& features) {
+  if (features.isEmpty()) return cones;
+  if (!cones) cones.emplace().q = q;
+  cones->features = features;
+  return cones;
 }
 
 Result<std::optional<prescription::Prescription>> storedCones(const Session& session,

@@ -536,6 +536,17 @@ test('a part has a grid where integers turn triangles away from the map as solve
   assert.ok(grid.aligned && Math.abs(grid.cells / 800 - 1) < 0.2, `${grid.cells} cells`);
 });
 
+test('where frames contradict the integers of hundreds of lines, the map is untangled', (t) => {
+  const part = path.join(shared, '../cases/features/casting.off.gz');
+  if (!existsSync(part)) return t.skip(`${part} is absent`);
+  for (const mode of ['tile', 'quad']) {
+    const asked = ['--creases', '--cells', '2000', '--grid-mode', mode];
+    good('param', part, asked, '-o', 'part.obj', '--force', '--json', 'part.json');
+    const [{ grid }] = JSON.parse(read('part.json')).components;
+    assert.ok(grid.aligned && grid.cells < 2 * 2000, `${mode}: ${grid.cells} cells`);
+  }
+});
+
 test('creases and rims are those of every mesh of a file', async () => {
   const boxes = [box(3), box(2, true), box(4)];
   put('boxes.glb', toGlb(boxes));

@@ -1,6 +1,7 @@
 #include "hgp/grid/line_gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -40,13 +41,16 @@ class GapFinder {
     }
     for (VertexId cone : p_.cones) {
       if (p_.sectors.isOnFeature[cone]) continue;
-      for (HalfedgeId h : outgoingHalfedges(mesh_, cone)) sendRays(h);
+      for (HalfedgeId h : outgoingHalfedges(mesh_, cone)) sendRays(h, true);
       lookAround(mesh_.outgoing(cone));
     }
-    for (std::size_t s = 0; s < p_.sectors.list.size(); ++s)
+    for (std::size_t s = 0; s < p_.sectors.list.size(); ++s) {
+      if (p_.isNode[mesh_.tail(p_.sectors.list[s].first)]) sendRaysOf(p_.sectors.list[s]);
       if (isReflex(s)) lookAround(p_.sectors.list[s].first);
+    }
+    for (const FaceId f : mesh_.faces()) keepHeight(f);
     std::vector<LineGap> out;
-    for (auto& [sum, gap] : found_) out.push_back({sum, gap.length, gap.isOfCone});
+    for (auto& [sum, gap] : found_) out.push_back({sum, gap.length, gap.isOfCone, gap.mayVanish});
     return out;
   }
 
@@ -94,10 +98,13 @@ class GapFinder {
     add(sum, to, direction, 1.0);
     return sum;
   }
-  void keep(RealSum sum, double length, bool isOfCone) {
+  void keep(RealSum sum, double length, bool isOfCone, bool mayVanish = false) {
     if (sum.empty()) return;
-    const auto [entry, isNew] = found_.try_emplace(std::move(sum), Found{length, isOfCone});
-    if (!isNew) entry->second.isOfCone = entry->second.isOfCone && isOfCone;
+    const Found found{length, isOfCone, mayVanish};
+    const auto [entry, isNew] = found_.try_emplace(std::move(sum), found);
+    if (isNew) return;
+    entry->second.isOfCone = entry->second.isOfCone && isOfCone;
+    entry->second.mayVanish = entry->second.mayVanish && mayVanish;
   }
 
   /// Walks to the next feature.
@@ -147,12 +154,52 @@ class GapFinder {
     keep(std::move(sum), length, false);
   }
 
-  /// The rays along the axes that leave a cone through the corner at tail(h).
-  void sendRays(HalfedgeId h) {
+  /// The rays along the axes that leave a vertex through the corner at tail(h), but those along features.
+  void sendRays(HalfedgeId h, bool isOfCone) {
     const Complex start = at(TriMesh::next(h)) - at(h), end = at(TriMesh::previous(h)) - at(h);
-    for (int d = 0; d < 4; ++d)
-      if (crossOf(start, rotation(d, 4)) >= 0.0 && crossOf(rotation(d, 4), end) > 0.0)
-        trace({TriMesh::face(h), at(h), d}, copyAt(h), true);
+    for (int d = 0; d < 4; ++d) {
+      const double first = crossOf(start, rotation(d, 4));
+      if ((isFeature(h) ? first > 0.0 : first >= 0.0) && crossOf(rotation(d, 4), end) > 0.0)
+        trace({TriMesh::face(h), at(h), d}, copyAt(h), isOfCone);
+    }
+  }
+  /// Those of an end or corner of features, which no line beside it need meet.
+  void sendRaysOf(const Sector& sector) {
+    HalfedgeId h = sector.first;
+    for (int n = 0; n < sector.triangles; ++n) {
+      sendRays(h, false);
+      h = mesh_.twin(TriMesh::previous(h));
+    }
+  }
+
+  /// Of a triangle with three cones or corners: the one between the others along its longer extent stays on its side of
+  /// them, by the coordinate in which it does so in the map.
+  void keepHeight(FaceId f) {
+    const HalfedgeId first = TriMesh::halfedge(f, 0);
+    std::array<HalfedgeId, 3> h{first, TriMesh::next(first), TriMesh::previous(first)};
+    for (const HalfedgeId corner : h)
+      if (!isPoint_[mesh_.tail(corner)] && !p_.isNode[mesh_.tail(corner)]) return;
+    const auto part = [&](HalfedgeId corner, int axis) {
+      return axis == 0 ? at(corner).real() : at(corner).imag();
+    };
+    const auto sortAlong = [&](int axis) {
+      std::sort(h.begin(), h.end(),
+                [&](HalfedgeId a, HalfedgeId b) { return part(a, axis) < part(b, axis); });
+      return part(h[2], axis) - part(h[0], axis);
+    };
+    const int axis = sortAlong(1) > sortAlong(0) ? 1 : 0;
+    sortAlong(axis);
+    const double below = part(h[1], 1 - axis) - part(h[0], 1 - axis);
+    const double above = part(h[1], 1 - axis) - part(h[2], 1 - axis);
+    const double side = std::fabs(below) >= std::fabs(above) ? below : above;
+    const int direction = 1 - axis + (side < 0.0 ? 2 : 0);
+    const auto keepFrom = [&](HalfedgeId other, double length, bool mayVanish) {
+      const double ahead = side < 0.0 ? -length : length;
+      keep(along(copyAt(other), direction, {}, copyAt(h[1])), ahead, true, mayVanish);
+    };
+    const bool isFirst = side == below;
+    keepFrom(h[0], below, !isFirst);
+    keepFrom(h[2], above, isFirst);
   }
 
   /// Other cones and reflex corners within reach, in the plane unfolded from tail(first).
@@ -207,7 +254,7 @@ class GapFinder {
 
   struct Found {
     double length;
-    bool isOfCone;
+    bool isOfCone, mayVanish;
   };
   const StraightPlane& p_;
   const TriMesh& mesh_;

@@ -23,11 +23,12 @@ struct StraightPlane {
   const std::vector<int>& index;  ///< as AlignedField::index
 };
 
-/// Σ factor · unknown, a distance along an axis; positive in the map.
+/// Σ factor · unknown, a distance along an axis; positive in the map, but perhaps where it may vanish.
 struct LineGap {
   RealSum sum;
   double length = 0.0;  ///< in the map
   bool isOfCone = false;
+  bool mayVanish = false;  ///< but not become negative
 };
 
 /// Part `part` (0 real, 1 imaginary) of a copy, in unknowns.
@@ -37,7 +38,8 @@ int headingOf(const StraightPlane& plane, HalfedgeId h);
 
 /// Between features that face each other across triangles, between consecutive nodes of one line, from cones off
 /// features to the features that face them, and between cones and corners with an index above 2 (the larger of both
-/// coordinates). Every sum once.
+/// coordinates); from ends and corners of features to those that face them; and in triangles of three cones or corners. Every
+/// sum once.
 /// @param reach  longer distances are left out, but for those between nodes
 std::vector<LineGap> lineGaps(const StraightPlane& plane, double reach);
 

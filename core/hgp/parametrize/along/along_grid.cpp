@@ -25,6 +25,8 @@ constexpr double kLineReach = 12.0;
 constexpr int kRoundsPerDensity = 6;
 /// Multiply-adds that all choices of integers of a run may take, per unit of ParametrizeOptions::maxStepsPerFace.
 constexpr double kChoiceWork = 6e7;
+/// Newton steps × triangles that all untangling of a run may take: about a minute.
+constexpr double kGridUntangling = 2.4e7;
 
 double areaOf(const TriMesh& mesh, const CutMesh& cut, const std::vector<Complex>& z) {
   double area = 0.0;
@@ -192,7 +194,7 @@ class GridAligner {
       if (!isBound) continue;
       const Eigen::VectorXd inIntegers = B_.transpose().triangularView<Eigen::Lower>().solve(d);
       LineDemand demand;
-      demand.least = gap.isOfCone && !isQuad_ ? 0.5 : 1.0;
+      demand.least = gap.mayVanish ? 0.0 : gap.isOfCone && !isQuad_ ? 0.5 : 1.0;
       for (Eigen::Index j = 0; j < n; ++j)
         if (std::fabs(inIntegers[j]) > 1e-9)
           demand.terms.push_back({static_cast<int>(j), inIntegers[j]});
@@ -218,7 +220,7 @@ class GridAligner {
       return false;
     }
     const Eigen::VectorXd x = B_.triangularView<Eigen::Upper>().solve(y);
-    GridValues values{scale, {}, frames_};
+    GridValues values{scale, {}, frames_, untanglings_};
     for (std::size_t i = 0; i < variables_.size(); ++i)
       values.given.push_back({variables_[i], x[static_cast<Eigen::Index>(i)]});
     holdOrigin(values);
@@ -231,6 +233,8 @@ class GridAligner {
       out_.isCancelled = true;
       return true;
     }
+    untanglings_ -= solved->untangled;
+    if (solved->untangled > 0.0) record.method = "untangling";
     record.turned = static_cast<int>(solved->certificate.orientation.notPositive.size());
     const bool isTaken = solved->certificate.isCertified && take(std::move(*solved), values.given);
     if (!isTaken && record.turned == 0) record.method += ", not certified";
@@ -301,6 +305,7 @@ class GridAligner {
   std::optional<LineChoice> choice_;
   double scale_ = 1.0;
   double work_;  ///< multiply-adds left for choices
+  double untanglings_ = kGridUntangling;
   bool isExhausted_ = false;
   StraightGrid out_;
 };

@@ -7,6 +7,7 @@
 
 #include "hgp/base/portable_math.h"
 #include "hgp/mesh/face_rings.h"
+#include "hgp/optimize/untangle_straight.h"
 #include "hgp/parametrize/round.h"
 #include "hgp/parametrize/stage_clock.h"
 
@@ -27,6 +28,9 @@ constexpr int kGrowthRounds = 3;
 constexpr double kGridMargin = 0.1;
 /// Integers with which this share of the triangles is wrong are given up.
 constexpr double kHopeless = 0.1;
+/// Newton steps × triangles of untangling without a grid, and the steps that one may take.
+constexpr double kPlainUntangling = 1.2e7;
+constexpr int kLongestUntangling = 250;
 
 void findWrong(const TriMesh& mesh, const Topology& topology, StraightAttempt& attempt) {
   const Certificate& c = attempt.certificate;
@@ -64,23 +68,61 @@ UvMap plainMap(const TriMesh& mesh, const CutMesh& cut, const std::vector<Comple
 }  // namespace
 
 std::optional<StraightAttempt> StraightRun::run() {
+  solvePrograms();
+  if (!isCancelled_ && best_ && !best_->certificate.isCertified) untangleBest();
+  return isCancelled_ ? std::nullopt : std::move(best_);
+}
+
+void StraightRun::solvePrograms() {
   static constexpr Weighting kWeightings[] = {{"straight features", 1.0, 1e-4},
                                               {"straight features, even weights", 0.0, 1e-4},
                                               {"straight features, light distortion", 1.0, 1e-2}};
   for (const Weighting& weighting : kWeightings) {
-    if (isOver(weighting, setup_.base)) return isCancelled_ ? std::nullopt : std::move(best_);
+    if (isOver(weighting, setup_.base)) return;
     if (grid_ && isStrained_) break;
   }
-  if (!isStrained_) return std::move(best_);
+  if (!isStrained_) return;
   // Frames contradict each other, the lengths or the integers: the map without them shows where some are needed.
   static constexpr Weighting kFrameless[] = {
       {"straight features, first without frames", 1.0, 1e-4},
       {"straight features, even weights, first without frames", 0.0, 1e-4}};
   for (const Weighting& weighting : kFrameless) {
-    if (isOver(weighting, {})) return isCancelled_ ? std::nullopt : std::move(best_);
-    if (grid_) break;
+    if (isOver(weighting, {}) || grid_) return;
   }
-  return std::move(best_);
+}
+
+/// From the best map, with the integers held: where frames contradict each other there can be a map all the same.
+void StraightRun::untangleBest() {
+  const auto start = std::chrono::steady_clock::now();
+  const Weighting weighting{"straight features, untangled", 1.0, 0.0};
+  const double most = grid_ ? grid_->untanglings : kPlainUntangling;
+  const bool isLast = !grid_ && static_cast<int>(rounds_.size()) >= options_.maxRounds;
+  const Eigen::VectorXd& x = best_->program.x;
+  const bool hasStart = x.size() > 0 && x.allFinite() && short_.empty();
+  if (isLast || !hasStart || kLongestUntangling * static_cast<double>(mesh_.faceCount()) > most)
+    return;
+  const SeamlessSetup& seamless = setup_.seamless;
+  const SeamlessSystem system = systemOf(mesh_, seamless);
+  const StraightOptions program = optionsOf(weighting);
+  UntangleOptions options;
+  options.u = program.u;
+  options.kept = setup_.base;
+  options.progress = program.progress;
+  StraightUntangling result =
+      untangleStraight(straightSystemOf(setup_, system), x, program.given,
+                       grid_ ? grid_->angle : seamless.seams.frameAngle, options);
+  if (isCancelled_) return;
+  StraightAttempt attempt;
+  attempt.program.x = std::move(result.x);
+  attempt.program.z = std::move(result.z);
+  attempt.program.iterations = result.iterations;
+  if (result.flipped == 0) attempt.program.status = socp::SolveStatus::kOptimal;
+  measure(attempt);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  record(weighting, 0, 0, attempt, spent.count());
+  const bool isBetter = attempt.certificate.isCertified || attempt.wrongCount < best_->wrongCount;
+  if (isBetter) best_ = std::move(attempt);
+  best_->untangled = static_cast<double>(result.iterations) * mesh_.faceCount();
 }
 
 StraightAttempt StraightRun::solveWithoutFrames() {
@@ -161,13 +203,18 @@ StraightAttempt StraightRun::solve(const Weighting& weighting, int growth,
     for (std::size_t j = 0; j < frames.faces.size(); ++j)
       frames.angles[j] = (frames_.raw().empty() ? grid_->angle : frames_)[frames.faces[j]];
   attempt.program = solveStraight(straightSystemOf(setup_, system), frames, program);
+  measure(attempt);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  record(weighting, growth, hard.size(), attempt, spent.count());
+  return attempt;
+}
+
+void StraightRun::measure(StraightAttempt& attempt) const {
+  const SeamlessSetup& seamless = setup_.seamless;
   attempt.map = grid_ ? plainMap(mesh_, seamless.cut, attempt.program.z)
                       : layOut(mesh_, seamless, attempt.program.z);
   attempt.certificate = verifier_.certify(toSpec(seamless.field.spec), attempt.map);
   findWrong(mesh_, seamless.context->topology, attempt);
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  record(weighting, growth, hard.size(), attempt, spent.count());
-  return attempt;
 }
 
 void StraightRun::takeFrames(const StraightAttempt& attempt) {

@@ -15,6 +15,7 @@ struct StraightAttempt {
   Certificate certificate;
   std::vector<FaceId> wrong;  ///< not positive, or at a vertex or loop with a wrong angle
   int wrongCount = 0;
+  double untangled = 0.0;  ///< Newton steps × triangles of untangling that led here
 };
 
 /// Unknowns on a grid.
@@ -22,6 +23,7 @@ struct GridValues {
   double scale = 1.0;                         ///< cells per unit of the map as solved
   std::vector<std::pair<int, double>> given;  ///< in cells
   PerFace<double> angle;                      ///< frames of the map as solved, as Frames::angles
+  double untanglings = 0.0;                   ///< Newton steps × triangles that may be spent
 };
 
 class StraightRun {
@@ -36,7 +38,8 @@ class StraightRun {
         grid_(grid),
         verifier_(mesh) {}
 
-  /// The first certified map, or the one that is nearest to it. Nothing if it was cancelled.
+  /// The first certified map of a program; where none is, the one that is nearest to it, untangled if that helps.
+  /// Nothing if it was cancelled.
   std::optional<StraightAttempt> run();
 
   /// The map of the first program without frames.
@@ -48,12 +51,15 @@ class StraightRun {
  private:
   struct Weighting;
 
+  void solvePrograms();
   bool isOver(const Weighting& weighting, std::vector<FaceId> hard);
+  void untangleBest();
   bool findShort(const Weighting& weighting);
   StraightOptions optionsOf(const Weighting& weighting);
   StraightAttempt solve(const Weighting& weighting, int growth, const std::vector<FaceId>& hard);
   bool isHopeless(const std::vector<FaceId>& wrong) const;
   void takeFrames(const StraightAttempt& attempt);
+  void measure(StraightAttempt& attempt) const;
   void record(const Weighting& weighting, int growth, std::size_t hardCount,
               const StraightAttempt& attempt, double seconds);
 

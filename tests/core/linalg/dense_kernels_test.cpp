@@ -113,13 +113,16 @@ void expectPanelIsCholesky(const KernelTable& table, int rows, int pivots) {
 }
 
 TEST(DenseKernels, UpdateSubtractsTheProduct) {
-  for (const int m : {1, 2, 5, 24, 49, 200, 430})
-    for (const int k : {1, 3, 8, 65, 300})
+  // More rows than two packs have, deeper than one, and two packs both ways.
+  for (const int m : {1, 2, 5, 24, 49, 200, 2 * kPackRows + 6})
+    for (const int k : {1, 3, 8, 65, kPackDepth + 4}) {
+      if (m > 2 * kPackRows && k > kPackDepth) continue;
       for (const bool lower : {false, true}) {
         const int n = lower ? m : m / 2 + 3;
         expectUpdatesAreTheProduct<Eigen::MatrixXd>(m, n, k, lower);
         expectUpdatesAreTheProduct<Eigen::MatrixXcd>(m, n, k, lower);
       }
+    }
 }
 
 TEST(DenseKernels, UpdateCoversMoreColumnsThanOnePack) {

@@ -86,19 +86,19 @@ inline std::vector<Graph> allGraphs() {
   graphs.push_back(Graph{});
   graphs.push_back(graphFromEdges(1, {}));
   graphs.push_back(graphFromEdges(2, {{0, 1}}));
-  graphs.push_back(graphFromEdges(500, {}));
+  graphs.push_back(graphFromEdges(200, {}));
   std::vector<std::pair<int, int>> star, path, complete;
-  for (int i = 1; i < 700; ++i) star.emplace_back(0, i);
-  for (int i = 1; i < 1000; ++i) path.emplace_back(i - 1, i);
-  for (int i = 0; i < 150; ++i)
+  for (int i = 1; i < 300; ++i) star.emplace_back(0, i);
+  for (int i = 1; i < 400; ++i) path.emplace_back(i - 1, i);
+  for (int i = 0; i < 90; ++i)
     for (int j = 0; j < i; ++j) complete.emplace_back(i, j);
-  graphs.push_back(graphFromEdges(700, star));
-  graphs.push_back(graphFromEdges(1000, path));
-  graphs.push_back(graphFromEdges(150, complete));
-  graphs.push_back(randomGraph(400, 300, 2));   // mostly disconnected
-  graphs.push_back(randomGraph(600, 1500, 3));  // an expander: large separators
+  graphs.push_back(graphFromEdges(300, star));
+  graphs.push_back(graphFromEdges(400, path));
+  graphs.push_back(graphFromEdges(90, complete));
+  graphs.push_back(randomGraph(240, 180, 2));  // mostly disconnected
+  graphs.push_back(randomGraph(300, 750, 3));  // an expander: large separators
   graphs.push_back(triangulatedGrid(12, 7));
-  graphs.push_back(triangulatedGrid(45, 38));
+  graphs.push_back(triangulatedGrid(31, 26));
   return graphs;
 }
 

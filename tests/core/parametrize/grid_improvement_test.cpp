@@ -23,8 +23,7 @@ struct AskedOfGrid {
 std::vector<test::Shape> alignedSurfaces() {
   return {test::jittered(test::icosphere(8), 0.01), test::jittered(test::pretzel(2, 4), 0.02),
           test::jittered(test::torus(20, 14), 0.01),
-          test::jittered(test::puncturedTorus(20, 14), 0.01),
-          test::jittered(test::doubleTorus(4), 0.02)};
+          test::jittered(test::puncturedTorus(20, 14), 0.01)};
 }
 
 HolonomySpec automaticCones(const TriMesh& mesh, int q) {

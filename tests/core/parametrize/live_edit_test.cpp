@@ -77,10 +77,12 @@ Walk walk(Solved& on, VertexId cone, int steps, std::mt19937& random) {
     const Certificate again = certify(on.mesh, frame->spec, frame->map);
     EXPECT_EQ(again.isCertified, frame->state == LiveState::kCertified);
     out.certified += again.isCertified;
+    int others = 0;
     for (std::size_t f = 0; f < frame->map.cornerUv.size(); ++f)
       for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_EQ(frame->copyOf[static_cast<std::size_t>(frame->map.cornerUv[f][k])],
-                  on.mesh.corners(FaceId(static_cast<int>(f)))[k]);
+        others += frame->copyOf[static_cast<std::size_t>(frame->map.cornerUv[f][k])] !=
+                  on.mesh.corners(FaceId(static_cast<int>(f)))[k];
+    EXPECT_EQ(others, 0);
     if (frame->wantsAnchor && !edit.beginHere()) ADD_FAILURE() << "no new anchor";
   }
   return out;
@@ -92,7 +94,7 @@ TEST(LiveEdit, MostFramesAreCertifiedAndAnIndependentVerifierAgrees) {
   for (const test::Shape& shape : dragged()) {
     SCOPED_TRACE(shape.name);
     Solved on(shape);
-    for (int drag = 0; drag < 4; ++drag) {
+    for (int drag = 0; drag < 3; ++drag) {
       const auto& cones = on.result.spec.cones;
       if (cones.empty()) break;
       const Walk one = walk(

@@ -34,7 +34,7 @@ int sumOf(const CompleteSpec& spec) {
 }
 
 TEST(OwnCones, AreThoseOfAMapWithoutFoldsWhereNoMapHasTheChosenOnes) {
-  const TriMesh mesh = test::stretched(100.0);
+  const TriMesh mesh = test::stretched(100.0, 2);
   ParametrizeOptions options;
   options.maxRounds = 6;
   const Result<Parametrization> asked = parametrize(mesh, test::manyCones(mesh), options);

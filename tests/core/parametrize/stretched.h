@@ -11,8 +11,8 @@
 namespace hgp::test {
 
 /// A torus of squares; stretched, most of its triangles are very thin.
-inline TriMesh stretched(double factor) {
-  Shape shape = jittered(pretzel(1, 4), 0.05);
+inline TriMesh stretched(double factor, int n = 4) {
+  Shape shape = jittered(pretzel(1, n), 0.05);
   for (auto& p : shape.data.positions) p[0] *= factor;
   return shape.mesh();
 }

@@ -99,7 +99,7 @@ TEST(Parametrize, AutomaticConesAreCertifiedOnEveryShapeForEveryOrder) {
 TEST(Parametrize, FramesMakeAHarmonicMapRightThatOnlyNearlyIs) {
   int framed = 0;
   for (unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u})
-    for (const test::Shape& base : {test::pretzel(2, 6), test::cube(12), test::icosphere(8)}) {
+    for (const test::Shape& base : {test::cube(8), test::icosphere(6)}) {
       const test::Shape shape = test::jittered(base, 0.3, seed);
       const Result<Parametrization> p = withItsOwnCones(shape.mesh());
       ASSERT_TRUE(p) << shape.name;
@@ -109,12 +109,12 @@ TEST(Parametrize, FramesMakeAHarmonicMapRightThatOnlyNearlyIs) {
       EXPECT_GT(rounds[1].constrainedTriangles, 0);
       framed += rounds[1].flipped == 0 && rounds[1].wrongAngles == 0;
     }
-  EXPECT_GE(framed, 1) << "of 18";
+  EXPECT_GE(framed, 2) << "of 12";
 }
 
 TEST(Parametrize, WhatOneLinearSystemLeavesWrongIsRepairedOnAPatch) {
   int local = 0;
-  for (unsigned seed : {1u, 2u, 3u, 4u})
+  for (unsigned seed : {1u, 2u})
     for (const test::Shape& base : {test::cube(12), test::annulus(48, 12), test::pretzel(2, 6)}) {
       const test::Shape shape = test::jittered(base, 0.2, seed);
       const TriMesh mesh = shape.mesh();
@@ -123,7 +123,7 @@ TEST(Parametrize, WhatOneLinearSystemLeavesWrongIsRepairedOnAPatch) {
       const std::string& last = p->rounds.back().method;
       local += last == "soft constraints, exact rows + enlarged 1, on a patch";
     }
-  EXPECT_GE(local, 2) << "of 12";
+  EXPECT_GE(local, 2) << "of 6";
 }
 
 TEST(Parametrize, SuggestedConesGiveTheSameBitsWhoeverNamesThem) {

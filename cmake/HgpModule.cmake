@@ -66,9 +66,14 @@ function(hgp_module)
     if(EMSCRIPTEN AND NOT R_NAME MATCHES "^(${HGP_HOT_MODULES})$")
       target_compile_options(${target} PRIVATE ${HGP_COLD_OPTIONS})
     endif()
-    if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|cones|text|verify|mesh|cut|seams)$")
-      # In the sanitizer build, only code that takes much time in tests is optimized; for other code, compiling would
-      # take longer than it saves.
+    # In the sanitizer build, only code that takes much time in tests is optimized; for other code, compiling would
+    # take longer than it saves. Clang's -O1 inlines nothing by itself, and what is called may come from a unit that is
+    # not optimized: the linker takes the first.
+    if(R_NAME MATCHES
+        "^(base|linalg|socp|optimize|improve|grid|system|field|cones|text|verify|mesh|cut|seams|parametrize)$")
+      target_compile_options(${target} PRIVATE
+        $<$<AND:$<CONFIG:Debug>,$<CXX_COMPILER_ID:Clang>>:-finline-functions>)
+    else()
       target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
     endif()
     if(NOT EMSCRIPTEN)  # which it would only slow down

@@ -94,7 +94,7 @@ TEST(LiveEdit, MostFramesAreCertifiedAndAnIndependentVerifierAgrees) {
   for (const test::Shape& shape : dragged()) {
     SCOPED_TRACE(shape.name);
     Solved on(shape);
-    for (int drag = 0; drag < 3; ++drag) {
+    for (int drag = 0; drag < 4; ++drag) {
       const auto& cones = on.result.spec.cones;
       if (cones.empty()) break;
       const Walk one = walk(

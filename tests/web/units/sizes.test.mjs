@@ -84,6 +84,31 @@ test('places of very different size are found, each once, with a vertex inside',
   assert.deepEqual(sizesOf(faces, around).larger.vertices, []);
 });
 
+test('of many places the eight largest count, from three vertices on; of their triangles the 2000 most extreme are shown', () => {
+  const scales = new Array(400).fill(1);
+  const widths = [3, 9, 4, 8, 2, 10, 6, 5, 7, 11];
+  widths.forEach((width, i) => scales.fill(i % 2 ? 30 : 20, 40 * i, 40 * i + width));
+  const { faces, around } = strip(scales);
+  const { vertices } = sizesOf(faces, around).smaller;
+  const placeOf = (v) => Math.round((v >> 1) / 40);
+  assert.deepEqual(vertices.map((v) => widths[placeOf(v)]), [11, 10, 9, 8, 7, 6, 5, 4]); // prettier-ignore
+
+  // At the end of the strip one triangle alone stands out at one of its vertices, at two, at three.
+  for (const [area, count] of [[6, 0], [8, 0], [12, 1]]) { // prettier-ignore
+    const { faces: plain, around: beside } = strip(new Array(30).fill(1));
+    for (const [sign, side] of [[1, 'smaller'], [-1, 'larger']]) { // prettier-ignore
+      plain.area[1] = sign * area;
+      assert.equal(sizesOf(plain, beside)[side].vertices.length, count, `${sign * area}`);
+    }
+  }
+
+  const long = new Array(3000).fill(1).fill(20, 0, 1100).fill(25, 500, 700);
+  const { share, triangles } = sizesOf(...Object.values(strip(long))).smaller;
+  assert.ok(Math.abs(share - 1100 / 3000) < 1e-9, `all of them: ${share}`);
+  assert.equal(triangles.length, 2000);
+  assert.ok(triangles.subarray(0, 400).every((t) => t >= 1000 && t < 1400), 'the most extreme');
+}); // prettier-ignore
+
 test('a map with equal sizes has no such places', () => {
   const { faces, around } = strip(new Array(30).fill(1));
   const { spread, range, larger, smaller } = sizesOf(faces, around);

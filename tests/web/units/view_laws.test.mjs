@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { BufferAttribute, BufferGeometry, Color, Matrix3, Matrix4, Mesh, PerspectiveCamera, Ray, Vector3 } from 'three'; // prettier-ignore
+import { BufferAttribute, BufferGeometry, Color, LinearMipmapLinearFilter, Matrix3, Matrix4, Mesh, PerspectiveCamera, Ray, RepeatWrapping, SRGBColorSpace, Vector3 } from 'three'; // prettier-ignore
 import { MeshBVH } from 'three-mesh-bvh';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh } from '../../support/meshes.mjs';
@@ -23,6 +23,7 @@ const { highlightTargets } = await import('../../../web/src/views/highlight_targ
 const { Lines, seamsInMap, seamsOnSurface, Wire } = await import('../../../web/src/views/lines.ts');
 const { gatheredFor } = await import('../../../web/src/views/gathered_attribute.ts');
 const { LiveGeometry } = await import('../../../web/src/views/live_geometry.ts');
+const { setImage, surfaceMaterial } = await import('../../../web/src/views/pattern_material.ts');
 const { QuadsView } = await import('../../../web/src/views/quads_view.ts');
 const { chainColour, ticksInMap, ticksOnSurface } =
   await import('../../../web/src/views/seam_marks.ts');
@@ -803,3 +804,19 @@ test('lines on the surface are between one and six pixels wide, what is outlined
   const light = widths.at(-2);
   for (const width of widths) assert.ok(width >= 1 && width <= 6 && width <= light, `${width}`);
 });
+
+test('an image of the user repeats in both directions, in its colours, blurred by distance only; the one before is freed', () => {
+  const material = surfaceMaterial(true);
+  const { image } = material.uniforms;
+  const freed = [];
+  const pictures = [3, 5].map((width) => {
+    image.value.addEventListener('dispose', ({ target }) => freed.push(target.image.width));
+    setImage(material, { width, height: 1 });
+    const { wrapS, wrapT, colorSpace, generateMipmaps, minFilter, anisotropy, version } = image.value; // prettier-ignore
+    assert.deepEqual([wrapS, wrapT, colorSpace], [RepeatWrapping, RepeatWrapping, SRGBColorSpace]);
+    assert.deepEqual([generateMipmaps, minFilter], [true, LinearMipmapLinearFilter]);
+    assert.ok(anisotropy > 1 && version > 0, 'sharp where the surface is seen at an angle; uploaded');
+    return image.value.image.width;
+  });
+  assert.deepEqual([pictures, freed], [[3, 5], [1, 3]]); // prettier-ignore
+}); // prettier-ignore

@@ -290,7 +290,6 @@ export function setImage(material: ShaderMaterial, image: ImageBitmap): void {
   const texture = new Texture(image);
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.colorSpace = SRGBColorSpace;
-  texture.generateMipmaps = true;
   texture.anisotropy = 4;
   texture.needsUpdate = true;
   (material.uniforms.image.value as Texture).dispose();

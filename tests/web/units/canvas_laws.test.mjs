@@ -7,9 +7,12 @@ import {
   BoxGeometry,
   BufferAttribute,
   BufferGeometry,
+  Matrix3,
   Mesh,
   MeshBasicMaterial,
+  Object3D,
   PerspectiveCamera,
+  Vector3,
 } from 'three';
 import { CanvasView, nearestOf } from '../../../web/src/views/canvas_view.ts';
 import { Canvas, drawsIn, endsEmpty, withCanvases } from './canvases.mjs';
@@ -146,6 +149,7 @@ test('nothing is drawn without a context; when it is back everything is drawn ag
     const { view, canvas } = shown(rest);
     const told = [];
     view.onContext = (isLost) => told.push(isLost);
+    // The renderer sees to it that a lost context comes back.
     const lost = new Event('webglcontextlost', { cancelable: true });
     canvas.dispatchEvent(lost);
     assert.ok(lost.defaultPrevented, 'the browser restores it');
@@ -259,3 +263,103 @@ test('a pointer is at −1 and 1 at the edges of the canvas, up is positive', ()
     assert.equal(nearestOf(7, [3, 4], () => 1).vertex, 3, 'the first of equals');
     assert.equal(nearestOf(7, [], () => 1).vertex, -1);
   }));
+
+test('the model of the start page is centred, fills its canvas, turns once in forty seconds, and rests where motion is not wanted', async (t) => {
+  const { TurningView } = await import('../../../web/src/views/turning_view.ts');
+  const box = new BoxGeometry(2, 1, 3).translate(5, -7, 2);
+  const parts = ['position', 'normal', 'uv'].map((name) => box.getAttribute(name).array);
+  const { array: corners } = box.index;
+  const counts = Uint32Array.of(parts[0].length / 3, corners.length);
+  const bytes = Buffer.concat([counts, ...parts, Uint32Array.from(corners)].map(({ buffer }) => Buffer.from(buffer))); // prettier-ignore
+  const served = { 'hero.bin': Response.json({}), 'none.bin': new Response('', { status: 404 }) };
+  served['hero.bin'].arrayBuffer = async () => new Uint8Array(bytes).buffer;
+  t.mock.method(globalThis, 'fetch', async (url) => served[url]);
+  let clock = 0;
+  t.mock.method(performance, 'now', () => clock);
+  const drawnThings = new Set();
+  const update = Object3D.prototype.updateMatrixWorld;
+  t.mock.method(Object3D.prototype, 'updateMatrixWorld', function note(...all) {
+    drawnThings.add(this);
+    return update.apply(this, all);
+  });
+  await withCanvases(async ({ frame, resized }) => {
+    const canvas = new Canvas(300, 200);
+    const still = { matches: false };
+    const own = { document: { createElement: () => canvas }, matchMedia: () => still, devicePixelRatio: 3 }; // prettier-ignore
+    Object.assign(globalThis, own);
+    const view = new TurningView();
+    assert.equal(view.canvas, canvas);
+    assert.ok(canvas.options.antialias && canvas.options.alpha);
+    assert.deepEqual([canvas.className, canvas.ariaHidden], ['turning', 'true']);
+    // The renderer sees to it that a lost context comes back.
+    const lost = new Event('webglcontextlost', { cancelable: true });
+    canvas.dispatchEvent(lost);
+    assert.equal(lost.defaultPrevented, true, 'the browser restores it');
+    canvas.dispatchEvent(new Event('webglcontextrestored'));
+    await assert.rejects(view.load('none.bin'), /none\.bin: 404/);
+    const draws = () => drawsIn(canvas.taken());
+    view.start();
+    frame();
+    assert.deepEqual([canvas.width, canvas.height], [600, 400], 'two pixels at most for each of the window');
+    assert.deepEqual([draws(), 'drawn' in canvas.dataset], [0, false], 'nothing is there yet');
+    await view.load('hero.bin');
+    assert.deepEqual([draws(), 'drawn' in canvas.dataset], [1, true]);
+
+    // What is drawn is what the file has, seen from above, as large as fits whichever way it is turned.
+    const [scene, camera] = ['isScene', 'isCamera'].map((key) => [...drawnThings].find((one) => one[key])); // prettier-ignore
+    const [{ geometry, material }] = scene.children;
+    ['position', 'normal', 'uv'].forEach((name, i) => assert.deepEqual([...geometry.getAttribute(name).array], [...parts[i]], name)); // prettier-ignore
+    assert.deepEqual([...geometry.index.array], [...corners]);
+    assert.ok(geometry.getAttribute('tint').array.every((x) => x === 0), 'no colour but the pattern');
+    assert.deepEqual([material.uniforms.pattern.value, material.uniforms.scale.value, material.uniforms.lit.value], [9, 1, 1]); // prettier-ignore
+    const seen = () => {
+      const mesh = scene.children[0];
+      scene.updateMatrixWorld(true);
+      const all = [];
+      for (let i = 0; i < parts[0].length; i += 3) all.push(new Vector3(...parts[0].subarray(i, i + 3)).applyMatrix4(mesh.matrixWorld)); // prettier-ignore
+      return all;
+    };
+    const turned = (at) => {
+      clock = at;
+      assert.equal(frame(), 1, 'the next one is asked for');
+      return [scene.rotation.y, seen()];
+    };
+    const [, first] = turned(0);
+    const middle = first.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(first.length);
+    assert.ok(middle.length() < 1e-5, 'turned around its own centre');
+    assert.ok(camera.position.y > 0.3 * camera.position.z && camera.position.x === 0);
+    const shape = () => Number((camera.projectionMatrix.elements[5] / camera.projectionMatrix.elements[0]).toFixed(9)); // prettier-ignore
+    assert.deepEqual([camera.aspect, shape()], [1.5, 1.5]);
+    let most = 0;
+    for (let at = 0; at < 40_000; at += 2000) {
+      const [angle, places] = turned(at);
+      assert.ok(Math.abs(angle - (2 * Math.PI * at) / 40_000) < 1e-9);
+      for (const p of places) most = Math.max(most, Math.abs(p.project(camera).y));
+    }
+    assert.ok(most > 0.7 && most <= 1, `${most}`);
+    assert.ok(Math.abs(turned(40_000)[0]) < 1e-9);
+    const studio = new Matrix3().setFromMatrix4(camera.matrixWorld).toArray();
+    assert.deepEqual(material.uniforms.toStudio.value.toArray(), studio, 'the light stays where it is');
+
+    // Another size is drawn at once, one of zero not; stopped, nothing is drawn.
+    draws();
+    canvas.clientHeight = 300;
+    resized(canvas);
+    assert.deepEqual([draws(), canvas.height, camera.aspect, shape()], [1, 600, 1, 1]);
+    assert.equal(frame(), 1, 'one turns, not two');
+    for (const side of ['clientWidth', 'clientHeight']) {
+      draws();
+      const size = canvas[side];
+      canvas[side] = 0;
+      resized(canvas);
+      assert.equal(draws(), 0);
+      canvas[side] = size;
+    }
+    view.stop();
+    resized(canvas);
+    assert.deepEqual([frame(), draws()], [0, 0]);
+    still.matches = true;
+    view.start();
+    assert.deepEqual([draws(), frame(), scene.rotation.y], [1, 0, 0.6]);
+  });
+}); // prettier-ignore

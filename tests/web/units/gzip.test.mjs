@@ -76,3 +76,36 @@ test('a dropped gzip file is opened as the file inside it', async () => {
   const files = await unpack(new Map([['a/mesh.obj.gz', new Blob([packed])]]));
   assert.deepEqual([...files], [['mesh.obj', text]]);
 });
+
+test('what unpacks to two hundred times its size is read, at least to 800 kB; one byte more is refused', async () => {
+  const most = 200 * 4096;
+  const zeros = (size) => gzipSync(new Uint8Array(size));
+  for (const behind of ['', 'x', zeros(0)]) {
+    assert.equal((await open(zeros(most), behind)).length, most);
+    await assert.rejects(open(zeros(most + 1), behind), RangeError);
+  }
+  // Of a larger file what counts is its own size.
+  const noise = Uint8Array.from({ length: 9000 }, (_, i) => (i * i * 2654435761) >>> 11);
+  const padded = (size) => gzipSync(Buffer.concat([noise, Buffer.alloc(size)]));
+  const { length } = padded(most);
+  assert.ok(length > 8192, `${length}`);
+  assert.equal((await open(padded(1.5 * most))).length, noise.length + 1.5 * most);
+  await assert.rejects(open(padded(200 * 2 * length)), RangeError);
+}); // prettier-ignore
+
+test('several members are unpacked in tasks of twenty milliseconds of the clock, and between them others have their turn', async (t) => {
+  const noise = new Uint8Array(2 ** 21).map((_, i) => Math.imul(i * i + 1, 2654435761) >>> 13);
+  const one = gzipSync(noise, { level: 0 });
+  let clock = 0;
+  const [own, begins] = [globalThis.setTimeout, []];
+  t.mock.method(performance, 'now', () => (clock += 3));
+  t.mock.method(globalThis, 'setTimeout', (act, ...all) => own(() => (begins.push(clock), act()), ...all)); // prettier-ignore
+  const bytes = await open(one, one);
+  t.mock.restoreAll();
+  assert.equal(bytes.length, 2 * noise.length);
+  assert.ok(begins.length > 2, `${begins}`);
+  begins.slice(1).forEach((at, i) => {
+    const lasted = at - begins[i];
+    assert.ok(lasted >= 20 && lasted < 30, `${lasted}`);
+  });
+}); // prettier-ignore

@@ -386,6 +386,23 @@ test('a click goes to a corner in reach, never past it, and stays where nothing 
   );
 });
 
+test('of a fine surface only hundreds of vertices around a place are looked at, so that a pointer does not wait', () => {
+  const fine = surfaceOf(cubeMesh(16));
+  const most = 7; // neighbours that the last one may add
+  const wide = { ...fine, diagonal: 1000 * fine.diagonal };
+  for (const v of [0, 100, 1500]) {
+    assert.ok(Math.abs(neighbourhood(wide, v).length - 600 - most / 2) <= most / 2 + 1);
+    const seen = new Set();
+    cornerNear(fine, v, (w) => seen.add(w));
+    assert.ok(Math.abs(seen.size - 400 - most / 2) <= most / 2 + 1, `${seen.size}`);
+    // Where fewer are in reach, all of these are.
+    const far = (w) => Math.hypot(...[0, 1, 2].map((i) => fine.positions[3 * v + i] - fine.positions[3 * w + i])); // prettier-ignore
+    const all = [...Array(fine.vertexCount).keys()].filter((w) => far(w) <= 0.03 * fine.diagonal * 6);
+    const found = neighbourhood({ ...fine, diagonal: 6 * fine.diagonal }, v);
+    assert.deepEqual(found.toSorted((x, y) => x - y), all); // prettier-ignore
+  }
+}); // prettier-ignore
+
 test('repairs are offered where every fatal defect has one that was not made', () => {
   const of = (kinds, loaded = { fix: {} }, usable = false) =>
     canRepair({ info: { usable, defects: kinds.map((kind) => ({ kind, fatal: kind !== 'isolated-vertex' })) }, loaded }); // prettier-ignore

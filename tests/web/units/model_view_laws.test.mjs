@@ -320,3 +320,45 @@ test('every change is drawn', () =>
       assert.ok(drawsIn(view.canvas.taken()) > 0, name);
     }
   }));
+
+test('a map that is dragged takes the place of the solution in every view, which comes back when it ends; markers fade after a run; the wipe needs a map', async () => {
+  const { isStale, lastConcerns, liveConcern, markersConcern } = await import('../../../web/src/views/small_concerns.ts'); // prettier-ignore
+  const told = [];
+  const viewOf = (name) => ({ canvas: { dataset: {} }, setLive: (live) => told.push([name, live]) });
+  const views = [viewOf('model'), viewOf('uv')];
+  const doc = { live: undefined };
+  const { key, show } = liveConcern(doc, views, (view) => told.push(['solution', views.indexOf(view)])); // prettier-ignore
+  for (const state of ['heat', 'certified']) {
+    doc.live = { state };
+    assert.deepEqual(key(), [doc.live]);
+    show();
+    assert.deepEqual(told.splice(0), [['model', doc.live], ['uv', doc.live]]); // prettier-ignore
+    for (const { canvas } of views) assert.equal(canvas.dataset.live, state);
+  }
+  doc.live = undefined;
+  show();
+  assert.deepEqual(told.splice(0), [['model', undefined], ['solution', 0], ['uv', undefined], ['solution', 1]]); // prettier-ignore
+  for (const { canvas } of views) assert.equal(canvas.dataset.live, '');
+
+  const [map, old] = [{}, {}];
+  const stale = [[undefined, undefined, undefined], [map, map, undefined], [old, undefined, undefined], [old, map, undefined], [old, undefined, {}]]; // prettier-ignore
+  assert.deepEqual(stale.map(([displayed, current, live]) => isStale({ displayed, current, live })), [false, false, true, true, false]); // prettier-ignore
+  const faded = [];
+  const marks = { setFeatures: (...all) => told.push(all) };
+  const model = { setMarkers: (are) => faded.push(are), setWipe: (part) => told.push(part), draw: () => told.push('drawn'), marks }; // prettier-ignore
+  for (const current of [undefined, map])
+    for (const tool of ['orbit', 'place', 'edges']) {
+      const concern = markersConcern({ doc: { current }, ui: { tool }, model });
+      concern.show();
+      assert.deepEqual(concern.key(), [faded.at(-1)]);
+    }
+  assert.deepEqual(faded, [false, false, false, true, false, false]);
+  const surface = {};
+  const file = { model: { surface }, features: { edges: [[1, 2]], rims: [[3, 4]] } }; // prettier-ignore
+  const after = (doc, ui = { wipe: 25 }) => {
+    for (const concern of lastConcerns({ doc, ui, model })) concern.show();
+    return told.splice(0);
+  };
+  assert.deepEqual(after(file), [[surface, [[1, 2], [3, 4]]], 'drawn', 0]); // prettier-ignore
+  assert.deepEqual(after({ displayed: map }), [[undefined, []], 'drawn', 0.25]);
+}); // prettier-ignore

@@ -339,8 +339,10 @@ test(
       // prettier-ignore
       height = 400;
       await touch('pointerdown', 500);
-      await touch('pointermove', 500 + Math.sign(to) * 3);
+      await touch('pointermove', 500 + Math.sign(to) * 6);
       assert.equal(dragged(), '', 'hardly moved');
+      await touch('pointermove', 500 + Math.sign(to) * 7);
+      assert.equal(dragged(), `${400 - Math.sign(to) * 7}px`, 'from seven pixels on');
       await touch('pointermove', 500 + to);
       height = Math.min(Math.max(400 - to, 46), 800);
       assert.equal(dragged(), `${height}px`, 'up is taller');
@@ -350,6 +352,7 @@ test(
       assert.equal(ui.sheet, sheet, 'the end of a drag is no tap');
     }
     await touch('pointerdown', 500);
+    await touch('pointermove', 506);
     await touch('pointerup', 500);
     handle.dispatchEvent(new MouseEvent('click', { bubbles: true, detail: 1 }));
     assert.equal(ui.sheet, 'full', 'the next one');

@@ -158,3 +158,81 @@ test('three maps are kept, settings apply to the next run or at once, and a map 
   await click('#clear-cones');
   assert.equal(doc.prescription.cones.length, 0);
 }); // prettier-ignore
+
+test('a map that is made by itself names its stage, takes a minute at most, and what comes too late is let go of', { skip }, async (t) => {
+  const { watchEdits } = await import('../../../web/src/actions/follow_edits.ts');
+  const { moveCone } = await import('../../../web/src/actions/edit_cones.ts');
+  const { stageName } = await import('../../../web/src/text/stages.ts');
+  const app = await pageWith(t);
+  const { doc, ui } = app;
+  await runNow(app);
+  const asked = [];
+  const { solver } = doc.model;
+  const parametrize = (options, call) => new Promise((give, fail) => asked.push({ call, give, fail })); // prettier-ignore
+  const held = new Proxy(solver, { get: (of, key) => (key === 'parametrize' ? parametrize : typeof of[key] === 'function' ? of[key].bind(of) : of[key]) }); // prettier-ignore
+  doc.state = { kind: 'open', model: { ...doc.model, solver: held } };
+  const timers = [];
+  const own = globalThis.setTimeout;
+  t.mock.method(globalThis, 'setTimeout', (act, delay, ...all) => {
+    if (delay >= 1000) timers.push({ act, delay });
+    return own(act, delay, ...all);
+  });
+  t.after(watchEdits(app));
+  ui.setAutomatic(true);
+  const edit = async () => {
+    const taken = new Set(doc.prescription.cones.map(({ vertex }) => vertex));
+    const free = [...doc.model.surface.angle.keys()].find((v) => v > 7 && !taken.has(v));
+    const { length } = asked;
+    moveCone(app, 0, free, `edit ${length}`);
+    await until(() => asked.length > length, 'a map is asked for', 15);
+    return asked.at(-1);
+  };
+  const status = () => textOf(document.querySelector('#status'));
+  const first = await edit();
+  assert.equal(first.call.keepWorker, true);
+  for (const stage of ['solve', 'verify']) {
+    first.call.onProgress({ stage, fraction: 0.5 });
+    assert.equal(doc.automatic.stage, stage);
+    const { automatic } = doc;
+    first.call.onProgress({ stage, fraction: 0.6 });
+    assert.equal(doc.automatic, automatic, 'nothing is drawn anew');
+    await drawn();
+    assert.ok(status().endsWith(stageName(stage).toLowerCase()), status());
+  }
+  const [{ delay, act }] = timers.splice(0);
+  assert.equal(delay, 60_000);
+  act();
+  await drawn();
+  assert.deepEqual([doc.automatic, doc.live, first.call.signal.aborted], [undefined, undefined, true]); // prettier-ignore
+  assert.deepEqual([doc.message.kind, doc.message.actions.length], ['note', 1]);
+  assert.match(status(), /60 seconds/);
+  first.call.onProgress({ stage: 'solve', fraction: 0.9 });
+  act();
+  assert.equal(doc.automatic, undefined, 'it was given up');
+  const { solutions } = doc;
+  const late = await solver.parametrize({});
+  first.give(late);
+  await until(() => late.isDisposed, 'the late map is let go of');
+  assert.equal(doc.solutions, solutions);
+  assert.equal(asked.length, 1, 'it is not begun again');
+
+  // The next edit is another one, with the limit of Run if that is shorter.
+  doc.solve = { ...doc.solve, timeLimit: 5 };
+  const second = await edit();
+  assert.equal(timers.splice(0)[0].delay, 5000);
+  second.fail(errorOf('no-certificate'));
+  await until(() => doc.automatic === undefined, 'the end');
+  assert.deepEqual([doc.message.kind, doc.solutions, asked.length], ['error', solutions, 2]);
+  // A newer edit takes the place of the one before.
+  const third = await edit();
+  const fourth = await edit();
+  assert.deepEqual([third.call.signal.aborted, fourth.call.signal.aborted], [true, false]);
+  third.call.onProgress({ stage: 'write', fraction: 0.5 });
+  assert.notEqual(doc.automatic.stage, 'write');
+  third.fail(errorOf('no-certificate'));
+  await drawn();
+  assert.notEqual(doc.automatic, undefined, 'the failure of the one before says nothing of this one');
+  fourth.give(await solver.parametrize({}));
+  await until(() => doc.automatic === undefined, 'the map');
+  assert.notEqual(doc.solutions, solutions);
+}); // prettier-ignore

@@ -33,7 +33,6 @@ export class TurningView {
     canvas.ariaHidden = 'true';
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.#renderer.setClearColor(new Color(0), 0);
     this.#scene.add(this.#mesh);
     const { material } = this.#mesh;
     setPattern(material, 'plaid', { q: 4, scale: tiles, isAligned: true });
@@ -44,7 +43,6 @@ export class TurningView {
     });
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(canvas);
-    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
   }
 
   /** Loads a file: vertex and index counts, then positions, normals and uv per vertex, then triangles. */

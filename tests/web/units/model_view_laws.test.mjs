@@ -285,6 +285,14 @@ test('one of pattern, own materials and quads is shown at a time', () =>
     assert.deepEqual(seen(), [false, false, true, false, false, 'none']);
     view.setQuads(undefined, matrix, palette);
     assert.deepEqual(seen(), [false, true, false, true, true, 'shown']);
+    // The light of materials is made once, and anew only where the card lost it.
+    const { environment } = view.scene;
+    assert.notEqual(environment, null);
+    view.setOriginal({ ...original }, 2, true);
+    assert.equal(view.scene.environment, environment);
+    for (const name of ['lost', 'restored']) canvas.dispatchEvent(new Event(`webglcontext${name}`, { cancelable: true })); // prettier-ignore
+    assert.notEqual(view.scene.environment, environment);
+    assert.notEqual(view.scene.environment, null);
     view.setOriginal(undefined, 2, true);
     assert.equal(original.group.parent, null);
     assert.equal(mapped.visible, true);

@@ -374,3 +374,20 @@ test('a rim is one line, chosen by any of its edges and taken out again', { skip
   assert.ok($('#follow-rims'));
   await until(() => !doc.isBusy);
 });
+
+test('two million triangles are opened; of one more it is said what they need and which command maps them', { skip }, async (t) => {
+  const app = await openPage(t);
+  const { doc, client } = app;
+  let triangles = 2_000_000;
+  const counted = (model) => new Proxy(model, { get: (of, key) => (key === 'info' ? { ...of.info, triangles } : typeof of[key] === 'function' ? of[key].bind(of) : of[key]) }); // prettier-ignore
+  const load = async (...all) => counted(await client.load(...all));
+  app.client = new Proxy(client, { get: (of, key) => (key === 'load' ? load : typeof of[key] === 'function' ? of[key].bind(of) : of[key]) }); // prettier-ignore
+  t.after(() => (app.client = client));
+  await openFiles(app, { 'large.obj': toObj(cubeMesh(1)) });
+  assert.equal(doc.usableModel?.main, 'large.obj', doc.message?.text);
+  triangles += 1;
+  await openFiles(app, { 'larger one.obj': toObj(cubeMesh(1)) });
+  assert.equal(doc.message.kind, 'error');
+  for (const part of ['2.0 million', '4 GB', "hgp param 'larger one.obj'"]) assert.ok(doc.message.text.includes(part), doc.message.text); // prettier-ignore
+  assert.notEqual(doc.model?.main, 'larger one.obj');
+}); // prettier-ignore

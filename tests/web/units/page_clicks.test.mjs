@@ -298,6 +298,12 @@ test('buttons in notes and dialogs: quads, repairs, sizes, rows that were left o
   shown.length = 0;
   await click('#sizes-differ button');
   assert.deepEqual([shown[0][0].length, shown[1]], [1, 17]);
+  const { current } = doc;
+  for (const range of [9.99, 10]) {
+    doc.solutions = [{ ...current, sizes: { ...current.sizes, range } }];
+    await drawn();
+    assert.equal($('#sizes-differ') !== null, range >= 10, 'from ten times on');
+  }
   ui.dialog = 'download';
   await drawn();
   for (const file of ['obj', 'glb']) {

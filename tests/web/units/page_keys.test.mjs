@@ -197,7 +197,11 @@ test(
     assert.equal(await after('ArrowUp', row[1]), controls(rows()[1])[1]);
     const [head, first] = rows().map(controls);
     assert.ok(head.length < first.length);
-    assert.equal(await after('ArrowUp', first.at(-1)), head.at(-1), 'the last one of a shorter row');
+    assert.equal(
+      await after('ArrowUp', first.at(-1)),
+      head.at(-1),
+      'the last one of a shorter row',
+    );
     const field = row.find((one) => one.matches('input'));
     assert.equal(await after('ArrowUp', field), field, 'a number changes by it');
     assert.equal(await after('x', row[0]), row[0]);

@@ -39,3 +39,16 @@ test('a point, and nothing, have no shadow; numbers that are not finite are pass
   assert.equal(groundShadow([]), undefined);
   assert.ok(groundShadow([...plate(0, 1), NaN, Infinity, NaN]).side < 4);
 });
+
+test('between few points the ground is dark for some cells around each; of very many points only some are looked at', () => {
+  const few = groundShadow([[-1, -1], [-1, 1], [1, -1], [1, 1], [0, 0]].flatMap(([x, z]) => [x, 0, z])); // prettier-ignore
+  const cell = few.side / shadowCells;
+  // Four cells, and three for each of three rounds of blurring.
+  for (let n = 1; n < 20; n++) assert.equal(at(few, (n + 0.5) * cell, 0.5 * cell) > 0, n <= 4 + 9, `${n} cells away`);
+  const many = Array.from({ length: 50_000 }, (_, i) => [Math.cos(i), (i % 7) / 70, Math.sin(i)]);
+  const others = many.map(() => [0, 0, 0]);
+  const mixed = many.flatMap((point, i) => [point, others[i]]);
+  assert.deepEqual(groundShadow(mixed.flat()), groundShadow(many.flat()));
+  const less = mixed.slice(0, 60_000).flat();
+  assert.notDeepEqual(groundShadow(less), groundShadow(many.slice(0, 30_000).flat()), 'up to 60 000 all'); // prettier-ignore
+}); // prettier-ignore

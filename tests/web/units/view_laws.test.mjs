@@ -554,6 +554,10 @@ test('marks on a surface: outlines of triangles, the ring of the cursor, feature
   assert.equal(marks.highlight(surface, [], []), true, 'the outline is gone');
   assert.equal(light.visible, false);
 
+  marks.highlight(surface, Array(2500).fill(2), [[0, 9]]);
+  assert.equal(segmentsOf(light).length, 3 * 2000 + 1, 'of very many triangles 2000');
+  marks.highlight(surface, [], []);
+
   marks.setCursor(surface, 5);
   const ring = segmentsOf(cursor);
   const around = surface.neighbours.subarray(surface.neighbourStart[5], surface.neighbourStart[6]);

@@ -7,6 +7,7 @@ import { watchEdits } from './actions/follow_edits';
 import { watchCones } from './actions/check_cones';
 import { followLink } from './actions/follow_link';
 import { watchMemory } from './actions/free_unused';
+import { notifyAtEnd } from './actions/notify_at_end';
 import { exampleById, openExample } from './actions/open';
 import { refreshRecent } from './actions/recent';
 import { flushAddress } from './actions/remember';
@@ -20,7 +21,6 @@ import { Document } from './model/document';
 import { UiState } from './model/ui_state';
 import { GeometryClient } from './services/geometry_client';
 import { createSolver, keepOffline } from './services/solver';
-import { isCertified } from './model/verdict';
 import type { Panel } from './panels/panel';
 import './panels/app_page';
 import './panels/top_bar';
@@ -72,32 +72,6 @@ function sayContext(isLost: boolean): void {
   if (isLost)
     doc.say('The graphics card lost the picture. It will be restored automatically.', 'error');
   else doc.say('The picture is back. Cones, result and history were not lost.', 'good');
-}
-
-/** Notifies users in another tab when a long run ends. */
-function notifyAtEnd(): void {
-  let running: { title: string; begin: number } | undefined;
-  const title = document.title;
-  addEventListener('focus', () => (document.title = title));
-  effect(() => {
-    const { job } = doc;
-    if (job?.kind === 'run') running = { title: job.title, begin: job.begin };
-    if (job || !running) return;
-    const seconds = (performance.now() - running.begin) / 1000;
-    running = undefined;
-    // The outcome is set in the same task, after the job.
-    if (document.hidden) setTimeout(() => callBack(seconds));
-  });
-}
-
-const longRun = 10; // seconds: from here on a notification is shown, not only a title
-
-function callBack(seconds: number): void {
-  const { current, message } = doc;
-  const text = current && isCertified(current) ? 'Certified' : (message?.text ?? 'Done');
-  document.title = `● ${text} · hgp`;
-  if (seconds < longRun || !('Notification' in globalThis)) return;
-  if (Notification.permission === 'granted') new Notification('hgp', { body: text });
 }
 
 function connectViews(
@@ -153,7 +127,7 @@ async function start(): Promise<void> {
   // Another link, opened in this tab: the page writes its own address without this event.
   addEventListener('hashchange', () => location.reload());
   rememberState();
-  notifyAtEnd();
+  notifyAtEnd(app);
   watchCones(app);
   watchThumbnails(app);
   watchMemory(app);

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { effect } from '@preact/signals-core';
 import { deleteCone, setPrescription } from '../../../web/src/actions/edit_cones.ts';
+import { notifyAtEnd } from '../../../web/src/actions/notify_at_end.ts';
 import { isAutomatic } from '../../../web/src/actions/follow_edits.ts';
 import { frame, lookAtCone } from '../../../web/src/actions/view.ts';
 import { viewActions } from '../../../web/src/actions/view_actions.ts';
@@ -12,6 +13,7 @@ import { Document } from '../../../web/src/model/document.ts';
 import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
 import { plainFacts } from './plain_facts.mjs';
+import { certificate, solutionOf, square } from './square_solution.mjs';
 import { quoted } from '../../../web/src/text/cli_command.ts';
 import { TimeLeft } from '../../../web/src/text/time_left.ts';
 import { cubeMesh } from '../../support/meshes.mjs';
@@ -166,3 +168,59 @@ test('a file that is to be kept is no longer asked for where any file of the dow
   }
   assert.equal(isSettled(note('write-keep-beside', 'd.png'), files), false);
 });
+
+test('the end of a run is told in another tab: in the title until the page is looked at, by a notification from ten seconds on', async (t) => {
+
+  const [told, listeners] = [[], {}];
+  let clock = 5000;
+  t.mock.method(performance, 'now', () => clock);
+  class Notification {
+    static permission = 'granted';
+    constructor(title, { body }) {
+      told.push([title, body]);
+    }
+  }
+  const own = { document: { title: 'hgp', hidden: true }, Notification, addEventListener: (type, act) => (listeners[type] = act) }; // prettier-ignore
+  for (const [name, value] of Object.entries(own)) {
+    const before = Object.getOwnPropertyDescriptor(globalThis, name);
+    Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
+    t.after(() => (before ? Object.defineProperty(globalThis, name, before) : delete globalThis[name]));
+  }
+  const doc = new Document();
+  t.after(notifyAtEnd({ doc }));
+  const { document } = globalThis;
+  /** Titles and notifications after a job of some seconds. */
+  const after = async (seconds, kind = 'run', outcome = () => doc.say('the outcome')) => {
+    listeners.focus();
+    assert.equal(document.title, 'hgp');
+    doc.message = undefined;
+    const job = { kind, title: '', stage: 'read', entered: [], detail: '', fraction: 0, begin: clock, controller: new AbortController() }; // prettier-ignore
+    doc.job = job;
+    doc.job = { ...job, fraction: 0.5 };
+    clock += 1000 * seconds;
+    assert.equal(document.title, 'hgp', 'it is not over');
+    doc.job = undefined;
+    outcome();
+    await new Promise((resolve) => setTimeout(resolve));
+    return [document.title, told.splice(0)];
+  };
+  const title = '● the outcome · hgp';
+  assert.deepEqual(await after(9.9), [title, []]);
+  assert.deepEqual(await after(10), [title, [['hgp', 'the outcome']]]);
+  assert.deepEqual(await after(60, 'run', () => undefined), ['● Done · hgp', [['hgp', 'Done']]]);
+  assert.deepEqual(await after(60, 'load'), ['hgp', []], 'no run');
+  doc.job = undefined;
+  Notification.permission = 'default';
+  assert.deepEqual(await after(60), [title, []]);
+  delete globalThis.Notification;
+  assert.deepEqual(await after(60), [title, []]);
+  document.hidden = false;
+  assert.deepEqual(await after(60), ['hgp', []], 'it is seen');
+  document.hidden = true;
+  const passing = solutionOf(square());
+  const failing = { ...passing, result: { ...passing.result, certificate: { ...certificate, certified: false, flipped: 1 } } }; // prettier-ignore
+  for (const [current, text] of [[failing, 'the outcome'], [passing, 'Certified']]) { // prettier-ignore
+    Object.defineProperty(doc, 'current', { value: current, configurable: true });
+    assert.equal((await after(1))[0], `● ${text} · hgp`);
+  }
+}); // prettier-ignore

@@ -107,3 +107,43 @@ test('a drag whose core fails on the way has ended', () => {
   assert.ok(isFreed());
   assert.throws(() => drag.dragTo(20), { code: 'usage' });
 });
+
+test('what is released takes with it what was made of it, drags of its maps too; all else stays', async () => {
+  const { serve } = await import(path.join(built, 'lib/worker.js'));
+  const [{ CoreModel }, { CoreMap }] = await Promise.all(['core_model', 'core_map'].map((name) => import(path.join(built, `lib/${name}.js`)))); // prettier-ignore
+  const freed = [];
+  let made = 0;
+  const handle = (Kind, members) => {
+    const name = `${Kind.name} ${++made}`;
+    const own = { free: () => freed.push(name), data: {}, info: {}, ...members };
+    const values = Object.entries(own).map(([key, value]) => [key, { value }]);
+    return Object.create(Kind.prototype, Object.fromEntries(values));
+  };
+  const drag = () => handle(CoreDrag);
+  const map = () => handle(CoreMap, { beginDrag: drag });
+  const core = { loadMesh: () => handle(CoreModel, { parametrize: map }) };
+  const answers = [];
+  const send = serve(async () => core, (answer) => answers.push(answer));
+  let calls = 0;
+  const call = async (method, more) => {
+    const id = ++calls;
+    send({ id, method, args: [], restore: [], wantsProgress: false, ...more });
+    while (!answers.some((one) => one.id === id)) await new Promise((resolve) => setImmediate(resolve)); // prettier-ignore
+    const { error, has } = answers.find((one) => one.id === id);
+    assert.equal(error, undefined);
+    return has;
+  };
+  send({ id: 0, method: 'init', args: [], restore: [] });
+  // Models 1 and 2; maps 11 and 12 of the first, 21 of the second; of each map a drag.
+  for (const model of [1, 2]) await call('loadMesh', { makes: model });
+  for (const one of [11, 12, 21]) await call('parametrize', { on: Math.floor(one / 10), makes: one });
+  for (const one of [111, 121, 211]) await call('beginDrag', { on: Math.floor(one / 10), makes: one, args: [0] }); // prettier-ignore
+  const left = async (id) => (await call('release', { args: [id] })).toSorted((a, b) => a - b);
+  assert.deepEqual(await left(111), [1, 2, 11, 12, 21, 121, 211]);
+  assert.deepEqual(await left(12), [1, 2, 11, 21, 211]);
+  await call('beginDrag', { on: 11, makes: 112, args: [0] });
+  assert.deepEqual(await left(1), [2, 21, 211]);
+  assert.deepEqual(await left(2), []);
+  assert.equal(new Set(freed).size, made, 'each of them');
+  assert.equal(freed.length, made, 'and once');
+}); // prettier-ignore

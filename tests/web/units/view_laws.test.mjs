@@ -139,6 +139,9 @@ test('a wire has every side of every triangle, on the corners of the surface', (
   wire.set(geometry, new Color('#fff'));
   assert.equal(wire.visible, true);
   assert.equal(wire.geometry.getAttribute('position'), geometry.getAttribute('position'));
+  // What is gathered for the card has no places from which it could be computed.
+  assert.equal(wire.geometry.boundingSphere, geometry.boundingSphere);
+  assert.ok(wire.geometry.boundingSphere.radius > 0);
   const sides = [];
   const { slice, byteLength } = gatheredFor(wire.geometry.index.array);
   assert.equal(wire.geometry.index.count, 2 * corners);

@@ -147,6 +147,18 @@ class Equator {
 
 }  // namespace
 
+Eigen::VectorXd partsOf(const Eigen::VectorXcd& x, const std::vector<int>& parts) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(parts.size()));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    values.data()[i] = reinterpret_cast<const double*>(x.data())[parts[i]];
+  return values;
+}
+
+void setParts(const Eigen::VectorXd& values, const std::vector<int>& parts, Eigen::VectorXcd& x) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    reinterpret_cast<double*>(x.data())[parts[i]] = values.data()[i];
+}
+
 std::vector<Complex> placesOf(const RealUnknowns& unknowns, const Eigen::VectorXd& x) {
   const Eigen::VectorXd parts = unknowns.rows * x;
   std::vector<Complex> z;

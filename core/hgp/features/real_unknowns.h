@@ -26,6 +26,10 @@ struct RealUnknowns {
       variable;  ///< per unknown: 2j or 2j + 1, the part of complex unknown j that it is; ascending
 };
 
+/// Parts of complex numbers: 2j is the real part of x_j, 2j + 1 the imaginary one.
+Eigen::VectorXd partsOf(const Eigen::VectorXcd& x, const std::vector<int>& parts);
+void setParts(const Eigen::VectorXd& values, const std::vector<int>& parts, Eigen::VectorXcd& x);
+
 /// Copy by copy, from the values of the unknowns.
 std::vector<Complex> placesOf(const RealUnknowns& unknowns, const Eigen::VectorXd& x);
 

@@ -69,12 +69,10 @@ StraightUntangling untangleStraight(const StraightSystem& straight, const Eigen:
   UntangleFaces faces(mesh, options);
   for (const FaceId f : mesh.faces()) faces.add(f, paired.rows(f), frameAngle[f]);
   Eigen::VectorXcd pairs = Eigen::VectorXcd::Zero(straight.system.unknowns.count);
-  for (std::size_t i = 0; i < unknowns.variable.size(); ++i)
-    reinterpret_cast<double*>(pairs.data())[unknowns.variable[i]] = out.x.data()[i];
+  setParts(out.x, unknowns.variable, pairs);
   const UntangleResult result =
       untangleFaces(faces.take(), straight.system.unknowns.count, pairs, options);
-  for (std::size_t i = 0; i < unknowns.variable.size(); ++i)
-    out.x.data()[i] = reinterpret_cast<const double*>(result.x.data())[unknowns.variable[i]];
+  out.x = partsOf(result.x, unknowns.variable);
   for (const auto& [unknown, value] : given) out.x[unknown] = value;
   out.z = placesOf(unknowns, out.x);
   out.iterations = result.iterations;

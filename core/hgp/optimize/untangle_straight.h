@@ -7,10 +7,10 @@
 namespace hgp {
 
 struct StraightUntangling {
-  Eigen::VectorXd x;
+  Eigen::VectorXd x;       ///< the unknowns
   std::vector<Complex> z;  ///< per copy
   int iterations = 0;
-  int flipped = 0;
+  int flipped = 0;  ///< as UntangleResult::flipped
   bool isCancelled = false;
 };
 

@@ -7,18 +7,6 @@ constexpr int kNowhere = -1, kAtSeveral = -2;
 
 }  // namespace
 
-Eigen::VectorXd partsOf(const Eigen::VectorXcd& x, const std::vector<int>& parts) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(parts.size()));
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    values.data()[i] = reinterpret_cast<const double*>(x.data())[parts[i]];
-  return values;
-}
-
-void setParts(const Eigen::VectorXd& values, const std::vector<int>& parts, Eigen::VectorXcd& x) {
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    reinterpret_cast<double*>(x.data())[parts[i]] = values.data()[i];
-}
-
 RealPairs::RealPairs(const TriMesh& mesh, const CutMesh& cut, const ReducedUnknowns& unknowns,
                      const RealUnknowns& real, const std::vector<char>& isHeld)
     : parts_(real.variable), isHeld_(at(4 * unknowns.count), 1) {

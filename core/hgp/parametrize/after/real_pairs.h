@@ -6,10 +6,6 @@
 
 namespace hgp {
 
-/// Parts of complex numbers: 2j is the real part of x_j, 2j + 1 the imaginary one.
-Eigen::VectorXd partsOf(const Eigen::VectorXcd& x, const std::vector<int>& parts);
-void setParts(const Eigen::VectorXd& values, const std::vector<int>& parts, Eigen::VectorXcd& x);
-
 /// Real unknown i is the real or imaginary part of complex unknown variable[i]/2, with which it stays together; parts that
 /// are determined by others occur nowhere. Where it is held, it is a part of a pair of its own, all of which is held.
 class RealPairs {

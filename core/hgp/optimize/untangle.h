@@ -2,31 +2,9 @@
 // frames gives a locally injective map; it has no frame conditions.
 #pragma once
 
-#include <functional>
-
-#include "hgp/optimize/program.h"
+#include "hgp/optimize/untangler.h"
 
 namespace hgp {
-
-struct UntangleOptions {
-  PerVertex<double> u;  ///< log scale that triangles are measured in, as in ProgramOptions
-  /// Triangles that, once positive, stay positive at every step: those around cones and along the
-  /// boundary, whose angle sums then keep their multiple of 2π.
-  std::vector<FaceId> kept;
-  /// λ: keeps triangles from shrinking to nothing; large, it asks for equal scale.
-  double scaleWeight = 0.05;
-  double epsilonShare = 0.2;  ///< ε over the most negative D
-  int maxIterations = 100;    ///< Newton steps without frames
-  /// Called before every step with its number and the share of triangles still flipped; false cancels.
-  std::function<bool(int, double)> progress;
-};
-
-struct UntangleResult {
-  Eigen::VectorXcd x;  ///< the unknowns
-  int iterations = 0;
-  int flipped = 0;  ///< triangles whose scaled Jacobian is not positive
-  bool isCancelled = false;
-};
 
 /// Minimises over seamless maps, by projected Newton steps with a line search [GKK21],
 ///

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "hgp/optimize/untangler.h"
-
 namespace hgp {
 namespace {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hgp/optimize/straight_program.h"
-#include "hgp/optimize/untangle.h"
+#include "hgp/optimize/untangler.h"
 
 namespace hgp {
 

@@ -3,11 +3,32 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
-#include "hgp/optimize/untangle.h"
+#include "hgp/optimize/program.h"
 
 namespace hgp {
+
+struct UntangleOptions {
+  PerVertex<double> u;  ///< log scale that triangles are measured in, as in ProgramOptions
+  /// Triangles that, once positive, stay positive at every step: those around cones and along the
+  /// boundary, whose angle sums then keep their multiple of 2π.
+  std::vector<FaceId> kept;
+  /// λ: keeps triangles from shrinking to nothing; large, it asks for equal scale.
+  double scaleWeight = 0.05;
+  double epsilonShare = 0.2;  ///< ε over the most negative D
+  int maxIterations = 100;    ///< Newton steps without frames
+  /// Called before every step with its number and the share of triangles still flipped; false cancels.
+  std::function<bool(int, double)> progress;
+};
+
+struct UntangleResult {
+  Eigen::VectorXcd x;  ///< the unknowns
+  int iterations = 0;
+  int flipped = 0;  ///< triangles whose scaled Jacobian is not positive
+  bool isCancelled = false;
+};
 
 /// f_z and f_z̄ of a triangle, in its own units and in its frame, over real parts [0] and imaginary parts [1] of unknowns:
 ///   f_z = Σ similar[0] Re x + similar[1] Im x + heldSimilar.

@@ -26,10 +26,11 @@ const side = 64; // pixels of one picture in the atlas
 const columns = 16;
 const rows = 16;
 
-/** The pictures of all markers used so far, each drawn once. */
+/** The pictures of the markers used last, each drawn once. */
 class Atlas {
   readonly texture: CanvasTexture;
   readonly #context: CanvasRenderingContext2D;
+  /** By kind, the one that was used last at the end. */
   readonly #cells = new Map<string, number>();
 
   constructor() {
@@ -46,11 +47,20 @@ class Atlas {
     const sign = Math.sign(q - k);
     const key = `${k} ${sign} ${isSelected} ${isBad}`;
     const known = this.#cells.get(key);
-    if (known !== undefined) return known;
-    const cell = this.#cells.size % (columns * rows); // beyond 256 kinds the oldest is overwritten
+    const cell = known ?? this.#freeCell();
+    this.#cells.delete(key);
     this.#cells.set(key, cell);
+    if (known !== undefined) return known;
     this.#draw(cell, k, sign, isSelected, isBad);
     this.texture.needsUpdate = true;
+    return cell;
+  }
+
+  /** Beyond 256 kinds, that of the one which has not been used for the longest time. */
+  #freeCell(): number {
+    if (this.#cells.size < columns * rows) return this.#cells.size;
+    const [[oldest, cell]] = this.#cells;
+    this.#cells.delete(oldest);
     return cell;
   }
 

@@ -170,6 +170,93 @@ test('points are spread: no two nearer than allowed, none far from all, each ins
   assert.deepEqual(poissonSamples(surface, spacing), samples, 'the same every time');
 });
 
+/** A parallelogram at `origin` along `a` and `b`, of n × n squares of two triangles each. */
+function sheet(origin, a, b, n) {
+  const positions = [];
+  for (let i = 0; i <= n; i++)
+    for (let j = 0; j <= n; j++) positions.push(...origin.map((x, d) => x + (i * a[d] + j * b[d]) / n)); // prettier-ignore
+  const triangles = [];
+  for (let i = 0; i < n; i++)
+    for (let j = 0; j < n; j++) {
+      const v = i * (n + 1) + j;
+      triangles.push(v, v + n + 1, v + n + 2, v, v + n + 2, v + 1);
+    }
+  return { positions, triangles };
+}
+const together = (...parts) => {
+  const all = { positions: [], triangles: [] };
+  for (const { positions, triangles } of parts) {
+    const first = all.positions.length / 3;
+    all.triangles.push(...triangles.map((v) => first + v));
+    all.positions.push(...positions);
+  }
+  return { positions: Float64Array.from(all.positions), triangles: Uint32Array.from(all.triangles) }; // prettier-ignore
+};
+const placesOf = ({ positions, triangles }, samples) =>
+  samples.map(({ triangle, s, r, e, f }) =>
+    at(positions, triangles[3 * triangle]).map((x, i) => x + s * e[i] + r * f[i]),
+  );
+
+test('no two points are nearer than allowed, in every direction and on both sides of zero', () => {
+  // Sheets along the diagonals of space, on which neighbours are in cells that have a corner in common.
+  const diagonals = [[1, 1, 1], [1, 1, -1], [1, -1, 1], [-1, 1, 1]]; // prettier-ignore
+  for (const a of diagonals)
+    for (const origin of [[0, 0, 0], [-0.7, -0.7, -0.7], [500, 0, -80]]) {
+      // prettier-ignore
+      const across = [a[1] * 0.3, -a[0] * 0.3, 0];
+      const one = together(sheet(origin, a, across, 1));
+      const points = placesOf(one, poissonSamples(one, 0.02));
+      assert.ok(points.length > 1000);
+      points.sort((p, q) => p[0] - q[0]);
+      points.forEach((p, i) => {
+        for (let j = i + 1; j < points.length && points[j][0] - p[0] < 0.017; j++)
+          assert.ok(apart(p, points[j]) > 0.85 * 0.02 - 1e-9, `${p} and ${points[j]}`);
+      });
+    }
+}); // prettier-ignore
+
+test('points are as many on every part of a surface as its area says, whether its triangles are large or small', () => {
+  const coarse = sheet([0, 0, 0], [1, 0, 0], [0, 1, 0], 1);
+  const fine = sheet([2, 0, 0], [0, 1, 0], [0, 0, 1], 60);
+  const middle = sheet([4, 0, 0], [1, 0, 0], [0, 2, 0], 5);
+  const one = together(fine, coarse, middle);
+  const spacing = 0.04;
+  const points = placesOf(one, poissonSamples(one, spacing));
+  // About four fifths of what fits in a random order, as gaps would be seen and more of them take time.
+  const most = 0.547 / (Math.PI * 0.425 ** 2);
+  const count = (isIn) => points.filter(isIn).length * spacing ** 2;
+  const parts = [[count(([x]) => x < 1.5), 1], [count(([x]) => x > 1.5 && x < 3), 1], [count(([x]) => x > 3), 2]]; // prettier-ignore
+  for (const [share, area] of parts) assert.ok(share > 0.75 * most * area && share < 0.84 * most * area, `${share} of ${area}`); // prettier-ignore
+  // Within a large triangle, too: its quarters have as many each.
+  for (const [low, high] of [[0, 0.5], [0.5, 1]])
+    for (const [left, right] of [[0, 0.5], [0.5, 1]]) {
+      const share = count(([x, y]) => x < 1 && x >= left && x < right && y >= low && y < high);
+      assert.ok(share > 0.17 && share < 0.22, `${share}`);
+    }
+  // Larger and smaller surfaces have the same points, and no area none.
+  for (const factor of [1 / 1024, 64]) {
+    const scaled = { ...one, positions: one.positions.map((x) => factor * x) };
+    assert.deepEqual(placesOf(scaled, poissonSamples(scaled, factor * spacing)), points.map((p) => p.map((x) => factor * x))); // prettier-ignore
+  }
+  const flat = together(sheet([0, 0, 0], [1, 0, 0], [2, 0, 0], 3));
+  assert.deepEqual(poissonSamples(flat, 0.1), []);
+  assert.deepEqual(poissonSamples(together(), 0.1), []);
+}); // prettier-ignore
+
+test('however small the spacing, some tens of thousands of points are tried, spread over all of the surface', () => {
+  const one = together(sheet([0, 0, 0], [1, 0, 0], [0, 1, 0], 20));
+  const samples = poissonSamples(one, 1e-5);
+  assert.ok(samples.length > 30_000 && samples.length <= 60_000, `${samples.length}`);
+  const rows = Array(20).fill(0);
+  for (const { triangle } of samples) rows[Math.floor(triangle / 40)] += 1;
+  for (const count of rows) near(count, samples.length / 20, 'as many in every row', 0.01);
+  // Twice as many tiles are half as far from each other, and the tiles of a larger model larger.
+  const [few, many, large] = [[3, 10], [3, 20], [6, 10]].map(([diagonal, tiles]) => spacingOf({ diagonal }, tiles)); // prettier-ignore
+  near(few / many, 2, 'tiles');
+  near(large / few, 2, 'size');
+  assert.ok(few < 0.3 && few > 0.15, 'nearer than the tiles');
+});
+
 test('loops close: each segment begins where the one before ends', () => {
   const loop = Uint32Array.from([0, 9, 9, 20, 20, 3]);
   const lines = loopSegments({ places: surface.positions }, loop);

@@ -3,8 +3,11 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { Box3, Vector3 } from 'three';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { cornerNear } from '../../../web/src/model/snapping.ts';
 import { Mirror } from '../../../web/src/services/geometry/mirror_plane.ts';
+import { NearestVertex } from '../../../web/src/services/geometry/nearest_vertex.ts';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
 import { largestAxis } from '../../../web/src/services/geometry/symmetric_matrix.ts';
 import { cubeMesh } from '../../support/meshes.mjs';
@@ -48,6 +51,135 @@ for (const [turn, shift] of [
     assert.ok(pairs > 0.7 * mesh.vertices.length, `${pairs}`);
   });
 }
+
+/**
+ * Points of an egg that is its own image across x = 0 alone, as wide as `sizes` say.
+ * @param more  points of one half that the other has not, for each that both have
+ */
+function egg(sizes, count, more = 0) {
+  const points = [];
+  const on = ([x, y, z]) => [sizes[0] * x, sizes[1] * (y + 0.4 * x * x + 0.2 * z), sizes[2] * (z + 0.35 * y * y)]; // prettier-ignore
+  // Points of a spiral are spread evenly over a ball.
+  const spiral = (n, by) => Array.from({ length: n }, (_, i) => {
+    const [z, turn] = [1 - (2 * i + 1) / n, (i + by) * Math.PI * (3 - Math.sqrt(5))];
+    return [Math.sqrt(1 - z * z) * Math.cos(turn), Math.sqrt(1 - z * z) * Math.sin(turn), z];
+  }).filter(([x]) => x > 0); // prettier-ignore
+  const half = spiral(count, 0);
+  points.push(...half.map(on), ...half.map(([x, y, z]) => on([-x, y, z])));
+  for (const p of spiral(Math.round(more * count), 0.4)) points.push(on(p));
+  return points;
+}
+
+/** The counterparts of the vertices of an egg: one half comes after the other. */
+const oppositeIn = (points, v) => (v + points.length / 2) % points.length;
+
+/** Points turned and moved, as a shape of which the plane is looked for, and that plane. */
+function posed(points, seed) {
+  const random = randomFrom(seed);
+  const [a, b] = [0, 1].map(() => new Vector3(random() - 0.5, random() - 0.5, random() - 0.5));
+  const [x, y] = [a.normalize(), b.projectOnPlane(a).normalize()];
+  const z = x.clone().cross(y);
+  const shift = new Vector3(random(), random(), random()).multiplyScalar(9);
+  const all = points.map((p) => shift.clone().addScaledVector(x, p[0]).addScaledVector(y, p[1]).addScaledVector(z, p[2])); // prettier-ignore
+  const diagonal = new Box3().setFromPoints(all).getSize(new Vector3()).length();
+  return {
+    shape: {
+      positions: Float64Array.from(all.flatMap((p) => p.toArray())),
+      representative: Uint32Array.from(all.keys()),
+      vertexCount: all.length,
+      diagonal,
+    },
+    normal: x,
+    offset: shift.dot(x),
+  };
+}
+function assertPlane({ plane }, { normal, offset, shape }, within, what) {
+  assert.ok(plane, what);
+  const sign = Math.sign(normal.dot(new Vector3(...plane.normal)));
+  const off = new Vector3(...plane.normal).multiplyScalar(sign).distanceTo(normal);
+  assert.ok(off < within, `${what}: ${off} aside`);
+  const middle = new Box3().setFromArray(shape.positions).getCenter(new Vector3());
+  const [found, is] = [new Vector3(...plane.normal).dot(middle) - plane.offset, normal.dot(middle) - offset]; // prettier-ignore
+  assert.ok(Math.abs(sign * found - is) < within * shape.diagonal, `${what}: ${found} and ${is}`);
+}
+const widths = [[1, 1.6, 2.4], [1.6, 1, 2.4], [2.4, 1, 1.6]]; // prettier-ignore
+
+test('the plane is found whichever way a shape is turned in space, be it across its longest, middle or shortest side', () => {
+  widths.forEach((sizes, i) => {
+    const points = egg(sizes, 500);
+    const pose = posed(points, i + 1);
+    const mirror = new Mirror(pose.shape);
+    assertPlane(mirror, pose, 1e-6, `${sizes}`);
+    const { shape, normal, offset } = pose;
+    const at = (v) => new Vector3().fromArray(shape.positions, 3 * v);
+    for (let v = 0; v < shape.vertexCount; v++) {
+      const off = Math.abs(at(v).dot(normal) - offset) / shape.diagonal;
+      if (off < 0.007) assert.equal(mirror.opposite(v), v);
+      if (off > 0.009) assert.equal(mirror.opposite(v), oppositeIn(points, v));
+    }
+  });
+});
+
+test('the plane is that of the shape, not of its vertices, of which one half may have more', () => {
+  widths.slice(0, 2).forEach((sizes, i) => {
+    const pose = posed(egg(sizes, 500, 0.2), i + 30);
+    assertPlane(new Mirror(pose.shape), pose, 0.02, `${sizes}`);
+  });
+});
+
+test('small differences of the halves leave the plane, large ones do not', () => {
+  const sizes = [1, 1.6, 2.4];
+  /** One half is wavy, by a share of the diagonal. */
+  const bent = (by) => {
+    const points = egg(sizes, 900);
+    for (const p of points) if (p[0] > 0) p[1] += by * 6 * Math.sin(6 * p[0]);
+    return posed(points, 60);
+  };
+  const pose = bent(0.01);
+  assertPlane(new Mirror(pose.shape), pose, 0.02, 'one hundredth');
+  assert.equal(new Mirror(bent(0.08).shape).plane, undefined, 'eight hundredths');
+});
+
+test('what only one half has has no counterpart; all the rest has', () => {
+  const points = egg([1, 1.6, 2.4], 500);
+  const tip = points.findIndex(([x]) => x > 0.9);
+  points[tip] = points[tip].map((x) => 1.8 * x);
+  const pose = posed(points, 5);
+  const mirror = new Mirror(pose.shape);
+  assertPlane(mirror, pose, 0.01, 'with a thorn');
+  assert.equal(mirror.opposite(tip), -1);
+  points.forEach(([x], v) => {
+    const w = oppositeIn(points, v);
+    if (v !== tip && w !== tip && Math.abs(x) > 0.1) assert.equal(mirror.opposite(v), w);
+  });
+});
+
+test('of vertices that a file has more than once the one that stands for all is the counterpart; nothing has no plane', () => {
+  const points = egg([1, 1.6, 2.4], 400);
+  const count = points.length;
+  const { shape } = posed([...points, ...points], 6);
+  shape.representative = shape.representative.map((v) => count + (v % count));
+  const mirror = new Mirror(shape);
+  for (let v = 0; v < 2 * count; v++)
+    if (Math.abs(points[v % count][0]) > 0.1)
+      assert.equal(mirror.opposite(v), count + oppositeIn(points, v % count));
+  const none = new Mirror({ ...shape, vertexCount: 0 });
+  assert.equal(none.plane, undefined);
+  assert.equal(none.opposite(0), -1);
+});
+
+test('of a large surface some thousands of vertices are tried, and of a small one all', (t) => {
+  // Where nothing has a counterpart, each of six planes is tried as it is and moved once.
+  const looked = t.mock.method(NearestVertex.prototype, 'of', () => -1);
+  for (const count of [200, 1400, 5000, 20_000]) {
+    const { shape } = posed(egg([1, 1.6, 2.4], count), 7);
+    looked.mock.resetCalls();
+    assert.equal(new Mirror(shape).plane, undefined);
+    const calls = looked.mock.callCount();
+    assert.ok(calls >= 6 * Math.min(shape.vertexCount, 1400), `${count}: ${calls}`);
+    assert.ok(calls <= 6 * 3 * Math.min(shape.vertexCount, 3000), `${count}: ${calls}`);
+  }
+});
 
 test('a shape that is no image of itself has no plane', () => {
   const mesh = cubeMesh(8);

@@ -182,9 +182,13 @@ class GapFinder {
     const auto part = [&](HalfedgeId corner, int axis) {
       return axis == 0 ? at(corner).real() : at(corner).imag();
     };
+    const auto swapIf = [&](std::size_t a, std::size_t b, int axis) {
+      if (part(h[b], axis) < part(h[a], axis)) std::swap(h[a], h[b]);
+    };
     const auto sortAlong = [&](int axis) {
-      std::sort(h.begin(), h.end(),
-                [&](HalfedgeId a, HalfedgeId b) { return part(a, axis) < part(b, axis); });
+      swapIf(0, 1, axis);
+      swapIf(1, 2, axis);
+      swapIf(0, 1, axis);
       return part(h[2], axis) - part(h[0], axis);
     };
     const int axis = sortAlong(1) > sortAlong(0) ? 1 : 0;

@@ -36,10 +36,12 @@ class PairedFaces {
     }
     const int variable = unknowns_.variable[at(unknown)], pair = variable / 2;
     const auto isOfPair = [pair](const UntangleFace::Term& term) { return term.unknown == pair; };
-    auto found = std::find_if(face.terms.begin(), face.terms.end(), isOfPair);
-    if (found == face.terms.end()) found = face.terms.insert(found, {pair, {}, {}});
-    found->similar[at(variable % 2)] += similar;
-    found->anti[at(variable % 2)] += anti;
+    const auto found = std::find_if(face.terms.begin(), face.terms.end(), isOfPair);
+    UntangleFace::Term& term = found != face.terms.end()
+                                   ? *found
+                                   : face.terms.emplace_back(UntangleFace::Term{pair, {}, {}});
+    term.similar[at(variable % 2)] += similar;
+    term.anti[at(variable % 2)] += anti;
   }
 
   const SeamlessSystem& s_;

@@ -16,6 +16,8 @@ constexpr int kLongestRay = 20'000;
 constexpr std::size_t kMaxAround = 20'000;
 /// Points are kept apart within this share of the reach of lines.
 constexpr double kPointShare = 0.25;
+/// A corner that lies beside the other one by more than this share is left as it is: half a cell where the reach is twelve.
+constexpr double kSlightShare = 1.0 / 24.0;
 
 double crossOf(const Complex& a, const Complex& b) { return std::imag(std::conj(a) * b); }
 
@@ -172,8 +174,8 @@ class GapFinder {
     }
   }
 
-  /// Of a triangle with three cones or corners: the one between the others along its longer extent stays on its side of
-  /// them, by the coordinate in which it does so in the map.
+  /// Of a thin triangle with three cones or corners: the one between the others along its longer extent goes to one side of
+  /// both, by the other coordinate. Where it lies between them in that one, too, it would have far to go.
   void keepHeight(FaceId f) {
     const HalfedgeId first = TriMesh::halfedge(f, 0);
     std::array<HalfedgeId, 3> h{first, TriMesh::next(first), TriMesh::previous(first)};
@@ -202,6 +204,8 @@ class GapFinder {
       keep(along(copyAt(other), direction, {}, copyAt(h[1])), ahead, true, mayVanish);
     };
     const bool isFirst = side == below;
+    const double other = (isFirst ? above : below) * (side < 0.0 ? -1.0 : 1.0);
+    if (std::fabs(side) > reach_ || other < -kSlightShare * reach_) return;
     keepFrom(h[0], below, !isFirst);
     keepFrom(h[2], above, isFirst);
   }

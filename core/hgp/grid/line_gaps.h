@@ -38,8 +38,8 @@ int headingOf(const StraightPlane& plane, HalfedgeId h);
 
 /// Between features that face each other across triangles, between consecutive nodes of one line, from cones off
 /// features to the features that face them, and between cones and corners with an index above 2 (the larger of both
-/// coordinates); from ends and corners of features to those that face them; and in triangles of three cones or corners. Every
-/// sum once.
+/// coordinates); from ends and corners of features to those that face them; and in thin triangles of three cones or
+/// corners. Every sum once.
 /// @param reach  longer distances are left out, but for those between nodes
 std::vector<LineGap> lineGaps(const StraightPlane& plane, double reach);
 

@@ -82,12 +82,13 @@ TEST(AlongUntangling, ASpoiledStartBecomesPositiveWithFeaturesStraightAndGivenVa
 
 /// Gaps of a map with other nodes.
 struct Gaps {
-  Gaps(const test::CreasedShape& shape, const Solved& map, const PerVertex<char>& isNode)
+  Gaps(const test::CreasedShape& shape, const Solved& map, const PerVertex<char>& isNode,
+       double reach = 1e300)
       : unknowns(map.setup.unknowns),
         list(lineGaps(
             {shape.mesh, map.setup.seamless.cut, map.setup.aligned.sectors, map.setup.unknowns,
              map.result.z, isNode, map.setup.seamless.cones, map.setup.aligned.index},
-            1e300)) {}
+            reach)) {}
 
   /// The one of copy `to` minus copy `from` along an axis.
   const LineGap* find(int from, int to, int axis, double sign) const {
@@ -122,6 +123,62 @@ TEST(LineGaps, AreTheDistancesOfTheMap) {
       EXPECT_NEAR(value, gap.length, 1e-9 * (1.0 + scale)) << shape.name;
     }
   }
+}
+
+/// The feature halfedge that a ray from a corner along an axis meets first, walking over edges that are no seams: an
+/// invalid one where it leaves the corner elsewhere, or meets a seam or a vertex.
+HalfedgeId facedBy(const TriMesh& mesh, const Solved& map, HalfedgeId corner, Complex way) {
+  const auto side = [&](HalfedgeId h) {
+    const Complex d = map.result.z[at(copyOf(map, h))] - map.result.z[at(copyOf(map, corner))];
+    return way.real() * d.imag() - way.imag() * d.real();
+  };
+  HalfedgeId over = TriMesh::next(corner);
+  for (int n = 0; n < mesh.faceCount(); ++n) {
+    if (!(side(over) < -1e-9 && side(TriMesh::next(over)) > 1e-9)) return {};
+    if (map.setup.aligned.sectors.isFeature[mesh.edge(over)] != 0) return over;
+    if (map.setup.seamless.cut.isSeam[mesh.edge(over)] != 0) return {};
+    const HalfedgeId beyond = mesh.twin(over);
+    const HalfedgeId right = TriMesh::next(beyond), left = TriMesh::previous(beyond);
+    over = side(left) > 0.0 ? right : left;
+  }
+  return {};
+}
+
+TEST(LineGaps, EndsAndCornersKeepFromTheLinesThatTheyFace) {
+  int faced = 0;
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    PreparedSurface surface(shape.mesh);
+    const Solved map(shape, surface);
+    const Sectors& sectors = map.setup.aligned.sectors;
+    const Gaps gaps(shape, map, PerVertex<char>(at(shape.mesh.vertexCount()), 1));
+    for (const HalfedgeId corner : shape.mesh.halfedges()) {
+      if (!sectors.isOnFeature[shape.mesh.tail(corner)]) continue;
+      for (int d = 0; d < 4; ++d) {
+        const HalfedgeId line = facedBy(shape.mesh, map, corner, rotation(d, 4));
+        if (!line.isValid()) continue;
+        const int from = copyOf(map, corner), to = copyOf(map, line);
+        EXPECT_TRUE(gaps.find(from, to, d % 2, d < 2 ? 1.0 : -1.0))
+            << shape.name << " vertex " << shape.mesh.tail(corner).i << " direction " << d;
+        ++faced;
+      }
+    }
+  }
+  EXPECT_GT(faced, 100);
+}
+
+TEST(LineGaps, NoneAsksForMoreThanASlightMoveWhereTheMapIsNotAsAsked) {
+  constexpr double kReach = 1.2;
+  int slight = 0;
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    PreparedSurface surface(shape.mesh);
+    const Solved map(shape, surface);
+    const Gaps gaps(shape, map, PerVertex<char>(at(shape.mesh.vertexCount()), 1), kReach);
+    for (const LineGap& gap : gaps.list) {
+      EXPECT_GE(gap.length, gap.mayVanish ? -kReach / 24.0 : 0.0) << shape.name;
+      slight += gap.length < 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(slight, 0);
 }
 
 TEST(LineGaps, OfThreePointsInATriangleTheMiddleOneStaysOnItsSide) {

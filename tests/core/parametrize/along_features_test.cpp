@@ -245,6 +245,24 @@ TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
   EXPECT_EQ(run->notes.back(), Note("features-straightened", {{"steps", 1}}));
 }
 
+TEST(AlongFeatures, RoundsThatDoNotSufficeLeaveNoMapAndAreNoCancellation) {
+  const TriMesh mesh = steppedCylinder(48, 8, 0.7);
+  HolonomySpec spec;
+  spec.features = test::creasesOf(mesh);
+  int rounds = 1;
+  for (bool isCertified = false; !isCertified && rounds < 9; ++rounds) {
+    PreparedSurface surface(mesh);
+    ParametrizeOptions options;
+    options.maxRounds = rounds;
+    const Result<Parametrization> run = parametrizeAlongFeatures(surface, spec, options);
+    ASSERT_TRUE(run) << rounds;
+    EXPECT_LE(static_cast<int>(run->rounds.size()), rounds);
+    isCertified = run->isCertified;
+  }
+  EXPECT_GT(rounds, 2) << "one round is not enough for a step that has to be straightened";
+  EXPECT_LT(rounds, 9);
+}
+
 TEST(AlongFeatures, CornersMoveWhereTheirLengthsContradictEachOther) {
   // Prisms: where an angle lies between 90° and 180°, corners of both caps are chosen almost freely, and
   // sides of one cap that are as long as others together meet such of the other cap.

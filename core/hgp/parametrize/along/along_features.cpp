@@ -106,7 +106,9 @@ class StepSearch {
       const std::vector<HalfedgeId> edges = run.shortEdges();
       contradicting_ = static_cast<int>(edges.size());
       StraightOutcome outcome{std::move(setup), std::move(*attempt)};
-      if (outcome.attempt.certificate.isCertified) return outcome;
+      // The rounds are those of all fields together; a run that may take none has no map.
+      const bool isLast = static_cast<int>(result_.rounds.size()) >= options_.maxRounds;
+      if (outcome.attempt.certificate.isCertified || isLast) return outcome;
       std::optional<AlignedField> next;
       if (!edges.empty() && !isSearched_ && static_cast<int>(tried_.size()) < kMaxSteps)
         next = nextField(outcome.setup.aligned, edges);

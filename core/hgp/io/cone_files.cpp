@@ -118,11 +118,12 @@ Result<prescription::Prescription> readUnnamedList(std::string_view text, int q)
   text::WordReader words(text);
   double first = 0, second = 0;
   if (!words.nextDouble(first)) {
-    return Failure{ErrorCode::kMalformed,
-                   "cones",
-                   "not a file of cones or of a field that is known "
-                   "here (see docs/cli.md for the list)",
-                   {}};
+    return Failure{
+        ErrorCode::kMalformed,
+        "cones",
+        "not a file of cones or of a field that is known here: hgp-cones JSON, .cones, .sing, "
+        "a list of angles or curvatures, .rawfield, .rosy or .ffield",
+        {}};
   }
   const int firstLine = words.line();
   if (!words.nextDouble(second) || words.line() != firstLine)

@@ -40,10 +40,11 @@ class Speller {
 
 std::string number(double x) { return formatText("%.15g", x); }
 
-/// "from 1 to 64", "at least 0", "above 0"; the end of all integers is named to who passed it.
+/// "from 1 to 64", "at least 0", "above 0"; an end that is far away is named to who passed it.
 std::string rangeOf(const OptionRow& row, double x = 0.0) {
-  if (row.high == kLargestInt && x > row.high) return "at most " + number(row.high);
-  if (row.high < kLargestInt) return "from " + number(row.low) + " to " + number(row.high);
+  const bool isFar = row.high >= kLargestInt;
+  if (isFar && x > row.high) return "at most " + number(row.high);
+  if (!isFar) return "from " + number(row.low) + " to " + number(row.high);
   if (std::isfinite(row.low)) return (row.isOpen ? "above " : "at least ") + number(row.low);
   return "";
 }

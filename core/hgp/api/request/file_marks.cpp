@@ -109,7 +109,7 @@ class MarkFinder {
           ErrorCode::kPrescription,
           "features",
           formatText("normals differ at %zu of %zu edges: the file is shaded flat, so that "
-                     "its normals mark no creases. Find them by angle: --creases",
+                     "its normals mark no creases. Find them by angle (creases)",
                      split.size(), edges),
           {}};
     if (!isFlat) found_.insert(found_.end(), split.begin(), split.end());
@@ -144,7 +144,7 @@ Result<std::vector<Pair>> markedEdges(const Model& model,
       "features",
       "the file marks no edges (" + names + ")" +
           (model.hasOwnVertexIds
-               ? ". Find them by angle: --creases"
+               ? ". Find them by angle (creases)"
                : "; lines and smoothing groups are lost where it is converted: list them "
                  "before with hgp features"),
       {}};

@@ -39,14 +39,19 @@ std::set<int> neededViews(const GltfStore& store) {
   return views;
 }
 
+Failure withoutDecoder(const std::string& pointer, const char* compression) {
+  return failureAt(ErrorCode::kUnsupported, pointer,
+                   formatText("compressed with %s, for which no decoder was loaded; export it "
+                              "uncompressed, or call prepare() before load() (hgp/core)",
+                              compression));
+}
+
 Status decodeView(GltfStore& store, int index, const GltfDecoders& decoders) {
   const GltfView& view = store.model.views[static_cast<std::size_t>(index)];
   const GltfMeshopt& meshopt = *view.meshopt;
   const std::string pointer = formatText("/bufferViews/%d", index);
   if (!decoders.meshopt) {
-    return failureAt(ErrorCode::kUnsupported, pointer,
-                     "compressed with meshopt, for which this build has no decoder; export it "
-                     "uncompressed");
+    return withoutDecoder(pointer, "meshopt");
   }
   MeshoptRequest request;
   request.source = store.buffers[static_cast<std::size_t>(meshopt.buffer)].bytes.subspan(
@@ -78,9 +83,7 @@ Status decodeDraco(GltfStore& store, int mesh, int index, const GltfDecoders& de
   if (!decoders.draco) {
     const int position = primitive.attribute("POSITION");
     if (position < 0 || accessor(position).view >= 0) return Done{};
-    return failureAt(ErrorCode::kUnsupported, pointer,
-                     "compressed with Draco, for which this build has no decoder; export it "
-                     "uncompressed");
+    return withoutDecoder(pointer, "Draco");
   }
   if (primitive.mode != 4) {
     return failureAt(ErrorCode::kUnsupported, pointer,

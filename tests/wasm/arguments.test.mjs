@@ -8,7 +8,15 @@ import { gzipSync } from 'node:zlib';
 import { bumpyDisk } from '../support/disk.mjs';
 import { readTables } from '../../wasm/options.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
-import { built, bytesOf, createClient, HgpError, withClient } from './support.mjs';
+import {
+  asFiles,
+  built,
+  bytesOf,
+  createClient,
+  createCore,
+  HgpError,
+  withClient,
+} from './support.mjs';
 
 const { optionsOf } = await import(path.join(built, 'lib/check_options.js'));
 const disk = bytesOf(bumpyDisk(4));
@@ -102,7 +110,6 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
   }));
 
 test('the core says in the thread that calls it what is wrong with cones, features and vertices, as its client does', async () => {
-  const { createCore } = await import(path.join(built, 'node/core.js'));
   const core = await createCore();
   const model = core.load({ main: 'disk.obj', files: new Map([['disk.obj', disk]]) });
   const map = model.parametrize({ boundary: 'convex' });
@@ -119,6 +126,16 @@ test('the core says in the thread that calls it what is wrong with cones, featur
   for (const [name, call] of Object.entries(calls))
     for (const bad of [[], 'cones', 4.5, null, { cone: 1 }])
       assert.throws(() => call(bad), { code: 'usage' }, `${name}: ${JSON.stringify(bad)}`);
+  const files = new Map([['disk.obj', disk]]);
+  const badFiles = [undefined, null, 5, {}, { main: 'disk.obj' }, { main: 'disk.obj', files: {} }];
+  badFiles.push({ main: 'other.obj', files }, { files });
+  badFiles.push({ main: 'disk.obj', files: new Map([['disk.obj', 'text']]) });
+  for (const bad of badFiles) {
+    assert.throws(() => core.load(bad), { code: 'usage' });
+    assert.throws(() => core.parametrizeFile(bad), { code: 'usage' });
+    await assert.rejects(core.prepare(bad), { code: 'usage' });
+  }
+  for (const bad of [null, 5]) assert.throws(() => model.listFeatures({ rims: true }, bad), { code: 'usage' }); // prettier-ignore
   assert.equal(model.info.usable, true);
 });
 
@@ -158,6 +175,14 @@ test('the options that are checked are those that are declared, and those that t
   assert.deepEqual(without('verify', 'cones', 'field', 'features'), ofCore('verify'));
   assert.deepEqual(checked('write'), ofCore('write'));
 });
+
+test('a buffer that was transferred is an error, not an empty file', () =>
+  withClient(async (client) => {
+    const gone = new Uint8Array(disk);
+    structuredClone(0, { transfer: [gone.buffer] });
+    await refused(client, () => client.load(gone, { name: 'disk.obj' }), /transferred/);
+    await refused(client, () => client.load(gone.buffer, { name: 'disk.obj' }), /transferred/);
+  }));
 
 test('load accepts byte arrays, buffers, views, Blobs and sets of files', () =>
   withClient(async (client) => {
@@ -240,6 +265,53 @@ test('a signal rejects with its own reason', () =>
     });
   }));
 
+test('in onProgress the model of the call can be neither used nor freed, and others can', async () => {
+  const core = await createCore();
+  const obj = bytesOf(toObj(cubeMesh(3)));
+  const [model, other] = [1, 2].map(() => core.load(asFiles('cube.obj', obj)));
+  const refused = [];
+  const uses = [
+    () => model.free(),
+    () => model.inspect(),
+    () => model.parametrize(),
+    () => model.suggestCones(),
+  ];
+  core.onProgress = () => {
+    for (const use of uses) {
+      try {
+        use();
+        refused.push('nothing');
+      } catch ({ code }) {
+        refused.push(code);
+      }
+    }
+    assert.equal(other.info.usable && other.inspect().usable, true);
+  };
+  const map = model.parametrize();
+  core.onProgress = () => {
+    throw new RangeError('my own mistake');
+  };
+  assert.throws(() => model.parametrize(), RangeError);
+  core.onProgress = undefined;
+  assert.ok(refused.length >= uses.length);
+  assert.deepEqual([...new Set(refused)], ['usage']);
+  // The map that was made meanwhile is whole, and the model is free again when its call has ended, however it did.
+  assert.equal(map.write().certified, true);
+  model.free();
+  assert.throws(() => model.inspect(), { code: 'usage' });
+});
+
+test('a worker that cannot be started is said at the start', async () => {
+  const wrong = { code: 'wasm-unavailable', message: /could not be started/ };
+  await assert.rejects(createClient({ workerUrl: 'no URL' }), wrong);
+  await assert.rejects(createClient({ workerUrl: 'file:///no/such/worker.js' }), (error) => {
+    assert.equal(error.code, 'wasm-unavailable');
+    assert.doesNotMatch(error.message, /next call/);
+    return true;
+  });
+  await assert.rejects(createClient({ createWorker: () => 5 }), wrong);
+});
+
 test('a throw in onProgress rejects the call, and the next call works', () =>
   withClient(async (client) => {
     const model = await client.load(bytesOf(bumpyDisk(40)), { name: 'large.obj' });
@@ -256,7 +328,6 @@ test('unavailable WebAssembly is reported as an error', async () => {
   await assert.rejects(createClient({ wasmBinary: bytesOf('no wasm') }), unavailable);
   // A module that compiles, but is another one: it lacks what the glue wants of it.
   const empty = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
-  const { createCore } = await import(path.join(built, 'node/core.js'));
   await assert.rejects(createCore({ wasmModule: empty }), unavailable);
 });
 

@@ -308,7 +308,9 @@ test('what cannot be dragged is refused with what can be done', () =>
   withClient(async (client) => {
     const { map, cone, track } = await mapped(client);
     await assert.rejects(map.beginDrag(track[0]), { code: 'usage', message: /is not a cone/ });
-    await assert.rejects(map.beginDrag(-1), { code: 'usage', message: /an integer of at least 0/ });
+    // Beyond 2³¹ as well, where a number of 32 bits would be another one.
+    for (const bad of [-1, 2 ** 31, 2 ** 32, 2 ** 32 + track[0]])
+      await assert.rejects(map.beginDrag(bad), { code: 'usage', message: /an integer from 0 to/ });
     const drag = await map.beginDrag(cone);
     const other = map.cones.cones[1].vertex;
     await assert.rejects(drag.dragTo(other), { code: 'usage', message: /another cone/ });

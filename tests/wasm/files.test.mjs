@@ -119,6 +119,39 @@ test('target: an OBJ becomes a GLB or a .gltf, a file of two meshes an OBJ of bo
     await areCertified(client, whole.files, 'pair.gltf', [0, 1]);
   }));
 
+test('without a name, the result has that of the file, with the extension of what it is', () =>
+  withClient(async (client) => {
+    const obj = bytesOf(toObj(cubeMesh(2)));
+    const inGlb = glb(cubeMesh(2));
+    const { json, bin } = toGltf([cubeMesh(2)]);
+    const gltf = { 'a.gltf': bytesOf(JSON.stringify(json)), 'cube.bin': new Uint8Array(bin) };
+    const triangle = '3 0 0\n1 0 0\n0 1 0\n';
+    const off = bytesOf(`OFF\n3 1 0\n${triangle}3 0 1 2\n`);
+    for (const [source, options, name] of [
+      [obj, { name: 'a.obj', target: 'glb' }, 'a.glb'],
+      [obj, { name: 'a.obj', target: 'gltf' }, 'a.gltf'],
+      [obj, { name: 'v1.2.OBJ' }, 'v1.2.OBJ'],
+      [obj, { name: 'v1.2' }, 'v1.2.obj'],
+      [obj, { name: '.obj' }, 'mesh.obj'],
+      [inGlb, { name: 'in/named.obj' }, 'named.glb'],
+      [inGlb, { name: 'a.vrm' }, 'a.glb'],
+      [inGlb, { name: 'a.glb', target: 'obj' }, 'a.obj'],
+      [inGlb, { name: 'a.glb', target: 'gltf' }, 'a.gltf'],
+      [{ main: 'a.gltf', files: gltf }, {}, 'a.gltf'],
+      [{ main: 'a.gltf', files: gltf }, { target: 'glb' }, 'a.glb'],
+      [off, { name: 'a.off' }, 'a.obj'],
+    ]) {
+      const map = await (await client.load(source, options)).parametrize();
+      const made = await map.write();
+      assert.equal(made.name, name);
+      assert.equal(made.certified, true);
+      const whole = await client.parametrizeFile(source, options);
+      assert.equal(whole.name, name);
+    }
+    const toPly = client.load(obj, { name: 'a.obj', target: 'ply' });
+    await assert.rejects(toPly, { code: 'usage', message: /'ply'/ });
+  }));
+
 test('use: the materials of every mesh use the set that was written', () =>
   withClient(async (client) => {
     const { json, bin } = toGltf([cubeMesh(3), cubeMesh(2)], { image: 'pixel.png' });

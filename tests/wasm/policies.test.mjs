@@ -99,6 +99,27 @@ test(
   },
 );
 
+test('models and maps of another client or core are not taken for those of this one', () =>
+  withClient((one) =>
+    withClient(async (other) => {
+      const load = (client, n) => client.load(bytesOf(toObj(cubeMesh(n))), { name: 'a.obj' });
+      const [mine, foreign] = await Promise.all([load(one, 2), load(other, 3)]);
+      const theirs = await foreign.parametrize();
+      const wrong = { code: 'usage', message: /another client/ };
+      await assert.rejects(one.combine([theirs]), wrong); // when no handle has its number
+      const own = await mine.parametrize();
+      await assert.rejects(one.combine([theirs]), wrong); // when one has
+      await assert.rejects(one.combine([own, theirs]), wrong);
+      assert.equal((await one.combine([own])).certified, true);
+      await assert.rejects(mine.transferCones(conesOf([]), foreign), { code: 'usage' });
+      const elsewhere = await createCore();
+      const [here, there] = [core, elsewhere].map((of) =>
+        of.load(asFiles('a.obj', bytesOf(toObj(cubeMesh(2))))),
+      );
+      assert.throws(() => here.transferCones(conesOf([]), there), { code: 'usage' });
+    }),
+  ));
+
 test('transfer of a client: both models are made again after the worker was ended', () =>
   withClient(async (client) => {
     const [old, now] = [

@@ -256,7 +256,7 @@ export function checkFeatures(call: string, value: unknown): void {
 
 /** @internal */
 export function checkVertex(call: string, value: unknown): void {
-  const vertex = integer(0);
+  const vertex = integer(0, 2 ** 31 - 1);
   if (!vertex.test(value))
     throw usage(`${call}: a vertex is ${vertex.name}, not ${describe(value)}`);
 }

@@ -6,7 +6,7 @@ import { checkOptions } from './check_options.js';
 import { compileWith } from './compile.js';
 import { defineDisposal } from './disposal.js';
 import type { ModelInfo } from './documents.js';
-import { HgpError, unavailable, usage } from './error.js';
+import { HgpError, messageOf, unavailable, usage } from './error.js';
 import type { WebSignal, WebUrl, WebWorker } from './globals.js';
 import { Model, UvMap } from './handles.js';
 import type {
@@ -80,8 +80,9 @@ export class Client implements AsyncDisposable {
       await client.ready();
     } catch (error) {
       client.terminate();
-      const isLost = error instanceof HgpError && error.code === 'worker-lost';
-      throw isLost ? unavailable(error.message, error) : error;
+      if (error instanceof HgpError && error.code !== 'worker-lost') throw error;
+      const message = `The worker could not be started: ${messageOf(error)}`;
+      throw unavailable(message, error);
     }
     // After the answer. Later workers also benefit, because they use the same compiled module.
     if (options.warmUp ?? true) queue.tell('warmUp');
@@ -182,11 +183,13 @@ export class Client implements AsyncDisposable {
     call?: CallOptions,
   ): Promise<Written> {
     const isList = Array.isArray(maps) && maps.every((map) => map instanceof UvMap);
-    const needs = isList ? maps.map((map) => UvMap.idOf(map)) : [];
+    const isOwn = isList && maps.every((map) => UvMap.isOf(map, this.#queue));
+    const needs = isOwn ? maps.map((map) => UvMap.idOf(map)) : [];
     const prepare = (): unknown[] => {
       if (!isList)
         throw usage('combine takes a list of maps that parametrize() of a model returned');
-      if (needs.length === 0) throw usage('combine: there are no maps');
+      if (maps.length === 0) throw usage('combine: there are no maps');
+      if (!isOwn) throw usage('combine: a map is of another client; load its file in this one');
       const each = takeCombineOptions(needs.length, options);
       if (!this.#queue.isOfFile(needs[0]))
         throw usage('combine: the maps are of meshes of a file, not of arrays');

@@ -7,7 +7,7 @@ import type { CoreMap } from './core_map.js';
 import { CoreModel } from './core_model.js';
 import { decodersFor } from './decoders.js';
 import type { ModelInfo } from './documents.js';
-import { messageOf, unavailable, valueOf } from './error.js';
+import { messageOf, unavailable, usage, valueOf } from './error.js';
 import { toGlb } from './glb.js';
 import { decompressed } from './gzip.js';
 import type {
@@ -22,7 +22,7 @@ import type {
 } from './options.js';
 import type { FileReader } from './platform.js';
 import type { FileResult, Progress, Result, Written } from './results.js';
-import { checkMesh } from './sources.js';
+import { checkFiles, checkMesh } from './sources.js';
 import { startModule } from './start_module.js';
 import { jsonOf } from './to_core.js';
 import { warmUpMesh } from './warm_up.js';
@@ -48,11 +48,16 @@ function resultOf(map: CoreMap): Result {
   return map.data;
 }
 
-/** The default file name of write(): formats that can only be read become OBJ. */
-function nameFor(main: string, format: string): string {
-  const stem = main.split('/').pop() ?? '';
-  if (format === 'glb' || format === 'gltf') return stem || `mesh.${format}`;
-  return stem.replace(/\.(off|ply|stl)$/i, '.obj') || 'mesh.obj';
+/**
+ * The default file name of write(): that of the file, with the extension of what is written. Formats that can only be
+ * read become OBJ, and a file may have the extension of another format.
+ */
+function nameFor(main: string, format: string, target?: LoadOptions['target']): string {
+  const extension = target ?? (format === 'glb' || format === 'gltf' ? format : 'obj');
+  const file = main.split('/').pop() ?? '';
+  const stem = file.replace(/\.(obj|off|ply|stl|gltf|glb|vrm)$/i, '');
+  const isKept = stem && file.slice(stem.length).toLowerCase() === `.${extension}`;
+  return isKept ? file : `${stem || 'mesh'}.${extension}`;
 }
 
 /** The solver. Calls are synchronous, except prepare(), and throw HgpError. */
@@ -108,6 +113,7 @@ export class Core {
    * glTF. Resolves to the files to load.
    */
   async prepare(source: CoreFiles, options: Pick<LoadOptions, 'limits'> = {}): Promise<CoreFiles> {
+    checkFiles('prepare', source);
     const prepared = await decompressed(source, options.limits?.bytes, this.#platform);
     const json = gltfJson(prepared.files.get(prepared.main));
     if (!json) return prepared;
@@ -122,17 +128,22 @@ export class Core {
   }
 
   /** Loads a mesh of a file. */
-  load({ main, files, notes = [] }: CoreFiles, options: LoadOptions = {}): CoreModel {
+  load(source: CoreFiles, options: LoadOptions = {}): CoreModel {
+    checkFiles('load', source);
     checkOptions('load', options);
+    const { main, files, notes = [] } = source;
     const { name: _name, ...asked } = options;
     const names = [...files.keys()];
     return this.#open(options, (session) => {
       const contents = [...files.values()];
       const loaded = session.load(main, names, contents, this.#decoders, JSON.stringify(asked));
       const info = jsonOf(loaded) as ModelInfo;
+      const { format } = info.file;
+      if (options.target === 'ply' && format !== 'ply')
+        throw usage(`load: target is 'ply' for PLY files only; this one is read as ${format}`);
       return {
         info: notes.length > 0 ? { ...info, notes: [...notes, ...info.notes] } : info,
-        name: nameFor(main, info.file.format),
+        name: nameFor(main, format, options.target),
       };
     });
   }

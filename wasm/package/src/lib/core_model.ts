@@ -30,13 +30,16 @@ import type {
   Surface,
   SurfaceFacts,
 } from './results.js';
-import { progressCall } from './progress_call.js';
+import { progressCall, type ProgressCall } from './progress_call.js';
 import { filesOf, forCore, jsonOf, listFile } from './to_core.js';
+
+const nested = 'a call of this model is running: its onProgress cannot use the model, nor free it';
 
 /** A loaded mesh. */
 export class CoreModel {
   readonly #core: Core;
   #session: Session | undefined;
+  #isReporting = false;
 
   /** The facts and defects of the mesh. */
   readonly info: ModelInfo;
@@ -105,7 +108,10 @@ export class CoreModel {
   /** Automatic cones. */
   suggestCones(options: SuggestOptions = {}): Cones {
     checkOptions('suggestCones', options);
-    return jsonOf(this.#live.suggestCones(JSON.stringify(options), this.#progress())) as Cones;
+    const asked = JSON.stringify(options);
+    return jsonOf(
+      this.#reporting((session, progress) => session.suggestCones(asked, progress)),
+    ) as Cones;
   }
 
   /** The cones with those that Gauss–Bonnet misses, placed where they cause the least distortion. */
@@ -120,6 +126,8 @@ export class CoreModel {
    */
   transferCones(cones: Cones, from: CoreModel): MovedCones {
     checkCones('transferCones', cones);
+    const isModel = (from as unknown) instanceof CoreModel && from.#core === this.#core;
+    if (!isModel) throw usage('transferCones: the cones are of another model of this core');
     const { json, lost } = valueOf(this.#live.transferCones(JSON.stringify(cones), from.#live));
     return { cones: JSON.parse(json) as Cones, lost: JSON.parse(lost) as Note[] };
   }
@@ -143,12 +151,10 @@ export class CoreModel {
    * The edges that features mean on this mesh, rims included, as a file of a name: `.json` (hgp-cones with positions),
    * `.sharp`, `.obj` (`l` lines), otherwise rows of two vertices.
    */
-  listFeatures(
-    features: Features | FeatureFile,
-    { name = 'features.json', ...rest }: FeatureListOptions = {},
-  ): FeatureList {
+  listFeatures(features: Features | FeatureFile, options: FeatureListOptions = {}): FeatureList {
     checkFeatures('listFeatures', features);
-    checkOptions('listFeatures', { name, ...rest });
+    checkOptions('listFeatures', options);
+    const { name = 'features.json' } = options;
     const { notes, ...list } = valueOf(this.#live.features(listFile(features), name));
     return { name, ...list, notes: JSON.parse(notes) as Note[] };
   }
@@ -157,11 +163,11 @@ export class CoreModel {
   parametrize(options: SolveOptions = {}): CoreMap {
     checkOptions('parametrize', options);
     const { cones, field, features, ...rest } = options;
-    const session = this.#live;
     const text = cones ? JSON.stringify(cones) : '';
     const asked = JSON.stringify(forCore(rest));
+    const files = filesOf(field, features);
     return this.#mapOf(
-      session.parametrize(text, filesOf(field, features), asked, this.#progress()),
+      this.#reporting((session, progress) => session.parametrize(text, files, asked, progress)),
     );
   }
 
@@ -201,11 +207,16 @@ export class CoreModel {
     const { onProgress } = this.#core;
     let [mesh, meshes] = [0, 1];
     const onMesh = (...now: [number, number]): void => void ([mesh, meshes] = now);
-    const report = onProgress && ((p: Progress) => onProgress({ ...p, mesh, meshes }));
+    const report = onProgress && ((now: Progress) => onProgress({ ...now, mesh, meshes }));
     const [options, how] = [forCore(solve), { name: this.defaultName, ...write }];
     const texts = [options, how].map((one) => JSON.stringify(one)) as [string, string];
     const files = filesOf(undefined, features);
-    return valueOf(this.#live.parametrizeFile(...texts, files, progressCall(report), onMesh));
+    return valueOf(
+      this.#reporting(
+        (session, progress) => session.parametrizeFile(...texts, files, progress, onMesh),
+        report,
+      ),
+    );
   }
 
   /** Verifies texture coordinates in the file. */
@@ -229,6 +240,7 @@ export class CoreModel {
 
   /** Frees the model. Neither it nor its maps can be used afterwards. */
   free(): void {
+    if (this.#isReporting) throw usage(nested);
     this.#session?.delete();
     this.#session = undefined;
   }
@@ -238,6 +250,7 @@ export class CoreModel {
   }
 
   get #live(): Session {
+    if (this.#isReporting) throw usage(nested);
     if (this.#session) return this.#session;
     throw usage('this model has been freed');
   }
@@ -269,8 +282,18 @@ export class CoreModel {
     return new CoreMap(this, module, this.#live.storedResult(), result);
   }
 
-  #progress() {
-    return progressCall(this.#core.onProgress);
+  /** A call that reports its progress, during which its session cannot be used otherwise. */
+  #reporting<T>(
+    call: (session: Session, progress: ProgressCall | undefined) => T,
+    onProgress = this.#core.onProgress,
+  ): T {
+    const session = this.#live;
+    this.#isReporting = true;
+    try {
+      return call(session, progressCall(onProgress));
+    } finally {
+      this.#isReporting = false;
+    }
   }
 }
 

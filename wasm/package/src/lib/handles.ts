@@ -259,6 +259,11 @@ export class UvMap extends MapData implements AsyncDisposable {
     return map.#id;
   }
 
+  /** @internal */
+  static isOf(map: UvMap, queue: Queue): boolean {
+    return map.#queue === queue;
+  }
+
   #call<T>(method: string, prepare: () => unknown[], call?: CallOptions): Promise<T> {
     return this.#queue.add({ method, on: this.#id }, prepare, call);
   }

@@ -52,7 +52,7 @@ export interface LoadOptions {
   writeRepairs?: boolean;
   /**
    * Convert the file to this format when it is read, so that write() writes it: a GLB of OBJ, OFF, PLY, STL or
-   * .gltf, an OBJ of glTF. Notes say what is not kept.
+   * .gltf, an OBJ of glTF; 'ply' is for PLY files, which are otherwise written as OBJ. Notes say what is not kept.
    */
   target?: 'obj' | 'glb' | 'gltf' | 'ply';
 }

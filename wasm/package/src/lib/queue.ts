@@ -47,6 +47,7 @@ export class Queue {
   #current: Job | undefined;
   #starting: Promise<WorkerLink> | undefined;
   #running: WorkerLink | undefined;
+  #hasAnswered = false;
   #nextId = 1;
   /** Of every handle that is not released. */
   readonly #recipes = new Map<number, Recipe>();
@@ -248,6 +249,7 @@ export class Queue {
       return;
     }
     if (job?.id !== id) return;
+    this.#hasAnswered = true;
     if (progress) {
       if (!job.isAborted) this.#report(job, progress);
       return;
@@ -304,7 +306,10 @@ export class Queue {
   #lost(reason: string): void {
     const job = this.#current;
     this.#stopWorker();
-    const message = `The solver stopped unexpectedly (${reason}). The next call starts a new one.`;
+    // Before its first answer, a client returns nothing whose next call could start another worker.
+    const message = this.#hasAnswered
+      ? `The solver stopped unexpectedly (${reason}). The next call starts a new one.`
+      : reason;
     if (job) this.#finish(job, () => job.reject(new HgpError({ code: 'worker-lost', message })));
   }
 

@@ -24,11 +24,21 @@ function viewOf(source: unknown): Uint8Array | undefined {
   return source instanceof ArrayBuffer ? new Uint8Array(source) : undefined;
 }
 
+function copyOfBytes(source: unknown): Uint8Array | undefined {
+  try {
+    const view = viewOf(source);
+    return view && Uint8Array.from(view);
+  } catch (error) {
+    if (!(error instanceof TypeError)) throw error;
+    throw usage('load: the buffer of this file has been transferred and is empty here');
+  }
+}
+
 /** Bytes are copied now, not when the promise is awaited; a Blob cannot change. */
 function taken(source: unknown, pack: Platform['packed']): Promise<Uint8Array | Blob> {
   if (source instanceof Blob) return pack(source);
-  const view = viewOf(source);
-  if (view) return Promise.resolve(Uint8Array.from(view));
+  const bytes = copyOfBytes(source);
+  if (bytes) return Promise.resolve(bytes);
   throw usage(
     `load: a file is a File, Blob, ArrayBuffer, typed array or { main, files }, not ${describe(source)}`,
   );
@@ -55,6 +65,20 @@ export function takeFiles(
     taken(value, pack).then((bytes) => [key, bytes] as const),
   );
   return Promise.all(contents).then((entries) => ({ main, files: new Map(entries) }));
+}
+
+/**
+ * Checks files as the core takes them.
+ * @internal
+ */
+export function checkFiles(call: string, source: unknown): void {
+  const { main, files } = (source ?? {}) as Partial<CoreFiles>;
+  const isOfBytes =
+    files instanceof Map &&
+    [...files.values()].every((bytes) => (bytes as unknown) instanceof Uint8Array);
+  if (typeof main !== 'string' || !isOfBytes)
+    throw usage(`${call} takes { main, files }: a name, and a Map from names to Uint8Array`);
+  if (!files.has(main)) throw usage(`${call}: files has no '${main}', which main names`);
 }
 
 /**

@@ -59,9 +59,12 @@ Result<std::vector<Part>> partsOf(const MeshData& data) {
                        "a triangle names the vertex " + std::to_string(v) + " of " +
                            std::to_string(data.positions.size()));
   Result<TriMesh> whole = buildTriMesh(data);
-  if (!whole)
+  if (!whole) {
+    std::string message = whole.error().message;
+    if (message.ends_with('.')) message.pop_back();
     return refusal(whole.error().code, "topology",
-                   whole.error().message + "; hgp repairs such meshes, hgp/lite does not");
+                   message + "; hgp repairs such meshes, hgp/lite does not");
+  }
   const Topology topology = computeTopology(*whole);
   std::vector<Part> parts;
   for (Component& component : splitComponents(data, *whole, topology)) {

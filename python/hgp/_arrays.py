@@ -11,10 +11,16 @@ from ._errors import UsageError
 
 
 def _described(value: Any) -> str:
-    return f"{' × '.join(map(str, value.shape)) or 'no'} array of {value.dtype}"
+    if value.ndim == 0:
+        return f"a single value of {value.dtype}"
+    if value.ndim == 1:
+        return f"an array of {value.size} values of {value.dtype}"
+    return f"a {' × '.join(map(str, value.shape))} array of {value.dtype}"
 
 
 def _array(value: Any, name: str, columns: int, what: str) -> "npt.NDArray[Any]":
+    if isinstance(value, np.ma.MaskedArray) and bool(np.any(value.mask)):
+        raise UsageError(f"{name} has masked entries; leave out their rows first", "arguments")
     try:
         array: "npt.NDArray[Any]" = np.asarray(value)
     except ValueError as error:  # rows of different lengths
@@ -24,7 +30,7 @@ def _array(value: Any, name: str, columns: int, what: str) -> "npt.NDArray[Any]"
         if columns == 3 and what == "vertex numbers" and array.ndim == 2 and array.shape[1] == 4:
             advice = f"; for quads, pass np.vstack([{name}[:, [0, 1, 2]], {name}[:, [0, 2, 3]]])"
         raise UsageError(
-            f"{name} must be an n × {columns} array of {what}, not a {_described(array)}{advice}", "arguments"
+            f"{name} must be an n × {columns} array of {what}, not {_described(array)}{advice}", "arguments"
         )
     return array
 

@@ -10,6 +10,7 @@ from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Option
 from ._documents import ConesDocument
 from ._errors import UsageError
 from ._features import FeaturesLike, listed
+from ._options import flag
 
 
 class Cones(Mapping[int, int]):
@@ -97,7 +98,11 @@ def prescription(
     marked: "Union[bool, Iterable[Mark]]" = False,
 ) -> Dict[str, Any]:
     """The arguments of a prescription as src/options.cpp takes them."""
-    asked: Dict[str, Any] = {"q": q, "ignore_embedded": ignore_embedded, "rims": rims}
+    asked: Dict[str, Any] = {
+        "q": q,
+        "ignore_embedded": flag(ignore_embedded, "ignore_embedded"),
+        "rims": flag(rims, "rims"),
+    }
     if creases is not None and creases is not False:
         asked["creases"] = _degrees(creases)
     if marked:

@@ -16,6 +16,7 @@ from ._documents import Certificate, Check, MeshInfo
 from ._errors import UsageError
 from ._features import Features, FeaturesLike
 from ._map import Integers, Map, Reals
+from ._options import flag, seconds
 
 Path = Union[str, "os.PathLike[str]"]
 Fix = Sequence[Literal["orient", "split", "degenerate"]]
@@ -250,7 +251,7 @@ class Mesh:
             "cones_for": cones_for,
             "align_to_curvature": align_to_curvature,
         }
-        return Cones(json.loads(self._core.suggest(options, bool(reproducible), _caller(progress))))
+        return Cones(json.loads(self._core.suggest(options, flag(reproducible, "reproducible"), _caller(progress))))
 
     def list_features(
         self,
@@ -392,7 +393,7 @@ class Mesh:
             convex_polygons=convex_polygons,
             symmetric=symmetric,
         )
-        made = self._core.parametrize(asked, options, bool(reproducible), time_limit, _caller(progress))
+        made = self._core.parametrize(asked, options, flag(reproducible, "reproducible"), seconds(time_limit, "time_limit"), _caller(progress))
         return Map(made)
 
     def verify(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from typing import Any, Dict
+from typing import Any, Dict, Optional
 
 from ._errors import UsageError
 
@@ -18,6 +18,22 @@ def _plain(value: Any) -> Any:
     if hasattr(value, "__float__"):
         return float(value)
     return repr(value)
+
+
+def flag(value: Any, name: str) -> bool:
+    """An argument that is True or False, and nothing that only counts as one of them."""
+    if type(value).__name__ not in ("bool_", "bool"):
+        raise TypeError(f"{name} must be True or False, not {value!r}")
+    return bool(value)
+
+
+def seconds(value: Any, name: str) -> Optional[float]:
+    """An argument that is a time, or None for no limit."""
+    if value is None:
+        return None
+    if isinstance(value, bool) or not hasattr(value, "__float__"):
+        raise TypeError(f"{name} must be a number of seconds, not {value!r}")
+    return float(value)
 
 
 def json_of(options: Dict[str, Any]) -> str:

@@ -14,6 +14,7 @@ from ._errors import HgpError
 from ._features import FeaturesLike
 from ._map import Map
 from ._mesh import ConesFor, Fix, Improve, Method, OnProgress, Path, Weld, _caller, _load_options, _solve_options
+from ._options import flag, seconds
 
 #: Formats to which a file is converted when it is read, if the result has this ending.
 _TARGETS = {".obj": "obj", ".glb": "glb", ".gltf": "gltf", ".ply": "ply"}
@@ -171,7 +172,7 @@ def parametrize_file(
         weld, fix, strict, write_repairs, target=target, max_bytes=max_bytes, max_triangles=max_triangles
     )
     surface = _core.Surface.of_file(os.fspath(path), "" if root is None else os.fspath(root), loading)
-    made = surface.parametrize_file(asked, options, to, saving, bool(reproducible), time_limit, _caller(progress))
+    made = surface.parametrize_file(asked, options, to, saving, flag(reproducible, "reproducible"), seconds(time_limit, "time_limit"), _caller(progress))
     meshes = [
         MeshOutcome(mesh, certified, aligned, json.loads(report) if report else None, error)
         for mesh, certified, aligned, report, error in made["meshes"]

@@ -17,8 +17,10 @@ std::vector<std::array<int, 3>> rowsOf(const T* from, py::ssize_t rows, const ch
       if (v < 0 || v >= count) {
         raise(Failure{ErrorCode::kUsage,
                       "arguments",
-                      formatText("%s[%zu, %zu] is %lld; indices are from 0 to %lld", name, f, k, v,
-                                 static_cast<long long>(count) - 1),
+                      formatText("%s[%zu, %zu] is %lld; ", name, f, k, v) +
+                          (count == 0 ? "there are no vertices"
+                                      : formatText("indices are from 0 to %lld",
+                                                   static_cast<long long>(count) - 1)),
                       {{Where::Kind::kFace, static_cast<std::int64_t>(f)}}});
       }
       triangles[f][k] = static_cast<int>(v);

@@ -36,8 +36,9 @@ def test_results_are_views_that_cannot_be_written(square: Any) -> None:
         lambda V, F: (V[::-1][::-1], F.astype(np.uint64)),
         lambda V, F: (V.astype(">f8"), F.astype(">i4")),
         lambda V, F: (V, F.astype(np.uint8)),
+        lambda V, F: (np.ma.masked_array(V), F),
     ],
-    ids=["lists", "Fortran order", "strides", "byte order", "short"],
+    ids=["lists", "Fortran order", "strides", "byte order", "short", "no mask"],
 )
 def test_other_arrays_are_converted(square: Any, convert: Any) -> None:
     assert (hgp.parametrize(*convert(*square)).uv == hgp.parametrize(*square).uv).all()
@@ -53,7 +54,10 @@ def test_other_arrays_are_converted(square: Any, convert: Any) -> None:
         (np.eye(3), [[0.0, 1.0, 2.0]], r"F must have integers, not float64; F.astype\(int\) converts"),
         (np.eye(3), [[True, False, True]], "F must have integers, not bool"),
         (np.eye(3), [[0, 1, 2, 3]], r"for quads, pass np.vstack\(\[F\[:, \[0, 1, 2\]\]"),
-        (np.eye(3), [0, 1, 2], "F must be an n × 3 array of vertex numbers, not a 3 array of int64"),
+        (np.eye(3), [0, 1, 2], "F must be an n × 3 array of vertex numbers, not an array of 3 values of int64"),
+        (None, [[0, 1, 2]], "V must be an n × 3 array of real numbers, not a single value of object"),
+        (np.zeros((0, 3)), [[0, 1, 2]], r"F\[0, 0\] is 0; there are no vertices"),
+        (np.ma.masked_equal(np.eye(3), 1.0), [[0, 1, 2]], "V has masked entries"),
         (np.eye(3), [[0, 1, 3]], r"F\[0, 2\] is 3; indices are from 0 to 2"),
         (np.eye(3), [[0, -1, 2]], r"F\[0, 1\] is -1; indices are from 0 to 2"),
         (np.eye(3), [[2**32, 1, 2]], r"F\[0, 0\] is 4294967296; indices are from 0 to 2"),

@@ -76,6 +76,7 @@ def test_a_mesh_that_cannot_be_used_says_where() -> None:
         ({"cones": {2**40: 3}}, "is too large"),
         ({"cones": 7}, "cones must be a dictionary or pairs"),
         ({"progress": 7}, "progress must be a function"),
+        ({"cells": 1e20}, r"cells must be at most 1e\+15, not 1e\+20"),
     ],
 )
 def test_wrong_options_are_refused_by_name(square: Any, options: Any, message: str) -> None:
@@ -89,6 +90,10 @@ def test_wrong_options_are_refused_by_name(square: Any, options: Any, message: s
         ({"q": "4"}, "q must be an integer, not '4'"),
         ({"q": True}, "q must be an integer, not True"),
         ({"refine": 1}, "refine must be True or False, not 1"),
+        ({"rims": "yes"}, "rims must be True or False, not 'yes'"),
+        ({"reproducible": 1}, "reproducible must be True or False, not 1"),
+        ({"time_limit": "2"}, "time_limit must be a number of seconds, not '2'"),
+        ({"time_limit": True}, "time_limit must be a number of seconds, not True"),
         ({"Q": 4}, "unexpected keyword argument 'Q'"),
     ],
 )

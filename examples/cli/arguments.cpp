@@ -175,6 +175,7 @@ class Parser {
     if (out_.command == Command::kQuads) out_.solve.grid.mode = GridMode::kQuad;
     if (out_.command == Command::kParam) out_.load.target = targetOf(out_.output);
     refuseContradictions();
+    refuseSharedInput();
   }
 
   void takeWords(api::SolveOptions& o) const {
@@ -249,6 +250,15 @@ class Parser {
       refuse("--grid-material is for glTF and OBJ: name the result -o x.glb or -o x.obj");
     if (out_.json == "-" && out_.output == "-")
       refuse("--json - and -o - cannot share standard output");
+  }
+
+  void refuseSharedInput() const {
+    int count = 0;
+    for (const std::string* file : {&out_.input, &out_.cones, &out_.field, &out_.features,
+                                    &out_.balance, &out_.transfer, &out_.from})
+      count += *file == "-";
+    if (count > 1)
+      throw CLI::ValidationError("standard input can be read once: only one file is -");
   }
 
   static bool isRepeatable(const std::string& name) {

@@ -180,6 +180,19 @@ test('every example of --help runs as printed', () => {
   assert.ok(count >= 15, `${count}`);
 });
 
+test('only one file can come from standard input', () => {
+  const commands = [
+    'check - --cones -',
+    'param - -o x.obj --field -',
+    'param - -o x.obj --features -',
+  ];
+  for (const command of commands) {
+    const { code, err } = run(command.split(' '), { input: cubeObj });
+    assert.equal(code, 2, err);
+    assert.match(err, /standard input/);
+  }
+});
+
 test('the format of standard input is recognised from its bytes', () => {
   const inputs = {
     obj: cubeObj,

@@ -17,6 +17,7 @@ import {
   skip,
   until,
 } from './whole_page.mjs';
+import { replace } from './replaced.mjs';
 
 const load = (name) => import(`../../../web/src/actions/${name}.ts`);
 const { close, open, openExample, supply, loadWithoutImages } = await load('open');
@@ -40,19 +41,6 @@ async function pageWith(t, files) {
   app.ui.setAutomatic(false);
   return app;
 }
-const replacedIn = new WeakMap();
-/** Replaces a member of the global object until the test ends. */
-function replace(t, name, value) {
-  const names = replacedIn.get(t) ?? new Set();
-  replacedIn.set(t, names);
-  const own = Object.getOwnPropertyDescriptor(globalThis, name);
-  Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
-  // What stands there at a second time is not what was there before the test.
-  if (names.has(name)) return;
-  names.add(name);
-  t.after(() => (own ? Object.defineProperty(globalThis, name, own) : delete globalThis[name]));
-}
-
 test('what a test replaces in the global object is there again after it, however often it replaces it', async (t) => {
   const names = ['Worker', 'fetch', 'navigator', 'noSuchThing'];
   const there = () => names.map((name) => Object.getOwnPropertyDescriptor(globalThis, name));

@@ -56,7 +56,7 @@ function loadedBy(file, known = new Set()) {
   known.add(file);
   const text = readFileSync(file, 'utf8');
   for (const [, name] of text.matchAll(/(?:from|import|import\()\s*'(\.[^']*)'/g)) {
-    const target = path.join(path.dirname(file), name);
+    const target = path.join(path.dirname(file), name.replace(/\.ts\?.*$/, '.ts'));
     loadedBy(/\.m?[tj]s$/.test(target) ? target : `${target}.ts`, known);
   }
   return known;

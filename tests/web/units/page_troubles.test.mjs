@@ -17,7 +17,7 @@ import {
   skip,
   until,
 } from './whole_page.mjs';
-import { replace } from './replaced.mjs';
+import { replace } from '../../support/replaced.mjs';
 
 const load = (name) => import(`../../../web/src/actions/${name}.ts`);
 const { close, open, openExample, supply, loadWithoutImages } = await load('open');

@@ -10,7 +10,7 @@ import { UiState, targetIds } from '../../../web/src/model/ui_state.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh, toGlb, toGltf } from '../../support/meshes.mjs';
 import { database } from './database_stand_in.mjs';
-import { replace } from './replaced.mjs';
+import { replace } from '../../support/replaced.mjs';
 
 const turn = () => new Promise((resolve) => setImmediate(resolve));
 async function until(condition) {

@@ -6,7 +6,7 @@ import test from 'node:test';
 import { storeOf } from '../../../web/src/model/store.ts';
 import { ViewUpdates } from '../../../web/src/views/view_updates.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
-import { replace } from './replaced.mjs';
+import { replace } from '../../support/replaced.mjs';
 
 const turn = () => new Promise((resolve) => setTimeout(resolve, 2));
 const surfaceOf = (id, triangles = 2) => ({ id, diagonal: 2, triangles: new Uint32Array(3 * triangles) }); // prettier-ignore

@@ -2,6 +2,7 @@
 // the seams of its map, and in which form options go to the core.
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { resolveObjectURL } from 'node:buffer';
 import path from 'node:path';
 import test from 'node:test';
@@ -14,6 +15,7 @@ const part = (name) => import(path.join(built, `lib/${name}`));
 const { Stopper, stopTest } = await part('leash.js');
 const { progressCall } = await part('progress_call.js');
 const { splitAlongSeams } = await part('split.js');
+const { phrase } = await part('phrases.js');
 const { filesOf, forCore, listFile } = await part('to_core.js');
 
 /** Requests that read Blobs of this process, and how many there were. */
@@ -103,6 +105,42 @@ test('shared memory is used on isolated pages and where that word is unknown, an
     globalThis.SharedArrayBuffer = own;
   }
 });
+
+const hasPrintf = spawnSync('printf', ['1'], { encoding: 'utf8' }).stdout === '1';
+test(
+  'numbers in sentences are those of printf, also in the middle of two, at powers of ten and for zero',
+  { skip: hasPrintf ? false : 'no printf' },
+  () => {
+    const random = randomFrom(7);
+    const values = [0, 1, 2.5, 3.5, 6.25, 6.75, 0.125, 0.375, 9.5, 95, 99.5, 0.5, 1.5, 1e5, 999999.5, 1e-4, 9.9999e-5, 0.00012345, 123456789, 1e20, 2 ** -40]; // prettier-ignore
+    for (let i = 0; i < 60; i++) {
+      values.push((10 ** (24 * random() - 12)).valueOf(), Math.round(1000 * random()) / 8);
+      values.push(Number((10 ** (8 * random() - 4)).toPrecision(1 + Math.floor(4 * random()))));
+    }
+    for (const x of [...values]) values.push(-x);
+    for (const format of [
+      '.0f',
+      '.1f',
+      '.3f',
+      '.2e',
+      '.0e',
+      'g',
+      '.1g',
+      '.2g',
+      '.3g',
+      '.4g',
+      '.10g',
+    ]) {
+      const texts = values.map((n) => phrase({ code: 'x', numbers: { n }, words: {}, where: [] }, { x: `{n:${format}}` })); // prettier-ignore
+      // All digits of a number, which printf would read as a longer one.
+      const exact = values.map((n) => n.toPrecision(100));
+      const env = { ...process.env, LC_ALL: 'C' };
+      const { stdout } = spawnSync('printf', [`%${format}\\n`, ...exact], { encoding: 'utf8', env }); // prettier-ignore
+      const expected = stdout.trimEnd().split('\n');
+      values.forEach((n, i) => assert.equal(texts[i], expected[i], `${n} as ${format}`)); // prettier-ignore
+    }
+  },
+);
 
 test('progress is passed on by name, and only the answer false ends a call', () => {
   assert.equal(progressCall(undefined), undefined);

@@ -6,6 +6,7 @@ import test from 'node:test';
 import { storeOf } from '../../../web/src/model/store.ts';
 import { ViewUpdates } from '../../../web/src/views/view_updates.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
+import { cubeMesh, toGltf } from '../../support/meshes.mjs';
 import { replace } from '../../support/replaced.mjs';
 
 const turn = () => new Promise((resolve) => setTimeout(resolve, 2));
@@ -309,4 +310,41 @@ test('beside the open mesh every other one has its last map, in a pattern that i
   const none = updated(t);
   await none.settled();
   assert.equal(none.named('model.setScene').at(-1)[0].open, -1);
+});
+
+test('materials that cannot be read are told of where they were asked for; elsewhere the shape is shown without them', async (t) => {
+  replace(t, 'self', globalThis);
+  replace(t, 'ProgressEvent', globalThis.ProgressEvent ?? class extends Event {});
+  const file = (text) => ({ ...modelOf(1), main: 'a.gltf', files: new Map([['a.gltf', new Blob([text])]]) }); // prettier-ignore
+  const { json, bin } = toGltf([cubeMesh(1)]);
+  json.buffers[0].uri = `data:application/octet-stream;base64,${Buffer.from(bin).toString('base64')}`; // prettier-ignore
+  const good = JSON.stringify(json);
+  for (const [pattern, isTold] of [
+    ['checker', false],
+    ['material', true],
+  ]) {
+    // prettier-ignore
+    const one = updated(t, { doc: { model: file('not a glTF'), look: { ...look, pattern } } });
+    await one.settled();
+    assert.equal(one.said.length, isTold ? 1 : 0, pattern);
+    if (isTold) assert.equal(one.said[0][1], 'error');
+    assert.ok(one.named('model.setOriginal').every(([scene]) => scene === undefined));
+  }
+  // Before there is a map they are shown of a model that is not large, afterwards where they are asked for.
+  const isShown = async (members, triangles = 2) => {
+    const model = { ...file(good), info: { surface: 0, triangles, usable: true } };
+    const one = updated(t, { doc: { model, parts: [{ mesh: 0, matrices: [] }], ...members } });
+    await one.settled();
+    const [scene, mesh, shown] = one.named('model.setOriginal').at(-1);
+    assert.deepEqual([one.said, mesh], [[], 0]);
+    return [scene !== undefined, shown];
+  };
+  const material = { ...look, pattern: 'material' };
+  const displayed = { ...solutionOf(1), files: [{ name: 'a.gltf', bytes: new TextEncoder().encode(good) }] }; // prettier-ignore
+  assert.deepEqual(await isShown({}), [true, true]);
+  assert.deepEqual(await isShown({ displayed }), [true, false]);
+  assert.deepEqual(await isShown({ displayed, look: material }), [true, true]);
+  assert.deepEqual(await isShown({}, 300_000), [true, true]);
+  assert.deepEqual(await isShown({}, 300_001), [false, false]);
+  assert.deepEqual(await isShown({ look: material }, 300_001), [true, true]);
 });

@@ -10,7 +10,7 @@ import ts from 'typescript';
 const limit = 400_000; // milliseconds, after which a fault counts as endless
 
 /** The tests of the package that need neither a bundler nor a long time, the shortest first. */
-const packageTests = ['drag_steps', 'recorded', 'arguments', 'policies', 'write_formats', 'adapters', 'decoders', 'features', 'files', 'lite', 'hostile', 'package', 'drag', 'interleavings']; // prettier-ignore
+const packageTests = ['parts', 'queue_laws', 'browser_parts', 'packed', 'drag_steps', 'recorded', 'arguments', 'policies', 'write_formats', 'adapters', 'decoders', 'features', 'files', 'lite', 'hostile', 'package', 'drag', 'interleavings']; // prettier-ignore
 
 /** Whether a changed text still compiles; what does not is no fault that a test has to see. */
 export function typeChecker(root) {
@@ -56,7 +56,7 @@ function loadedBy(file, known = new Set()) {
   known.add(file);
   const text = readFileSync(file, 'utf8');
   for (const [, name] of text.matchAll(/(?:from|import|import\()\s*'(\.[^']*)'/g)) {
-    const target = path.join(path.dirname(file), name);
+    const target = path.join(path.dirname(file), name.replace(/\.ts\?.*$/, '.ts'));
     loadedBy(/\.m?[tj]s$/.test(target) ? target : `${target}.ts`, known);
   }
   return known;

@@ -10,7 +10,7 @@ const file = process.env.HGP_FAULT_FILE;
 const place = new URL(file.replace(/^wasm\/package\/src\/(.*)\.ts$/, 'build/package/$1.js'), root);
 
 export async function load(url, context, next) {
-  if (url !== place.href) return next(url, context);
+  if (url.replace(/\?.*$/, '') !== place.href) return next(url, context);
   const text = readFileSync(process.env.HGP_FAULT_TEXT, 'utf8');
   const source = await scriptOf(fileURLToPath(new URL(file, root)), text);
   return { format: 'module', source, shortCircuit: true };

@@ -35,6 +35,9 @@ export async function scriptOf(fileName, text) {
 
 const builtPackage = new URL('../../build/package/', import.meta.url);
 
+/** A source; with a query it is loaded once more, as where something else is global. */
+const isSource = /\.ts(\?|$)/;
+
 /** The file to which the page's bundler would resolve `specifier`, or undefined if Node resolves it itself. */
 function sourceOf(specifier, parent) {
   // The address of a worker, which no test under Node starts.
@@ -43,7 +46,7 @@ function sourceOf(specifier, parent) {
   if (specifier === 'virtual:examples') return new URL('./page_examples.mjs', import.meta.url);
   if (specifier === 'hgp') return new URL('index.js', builtPackage);
   if (specifier === 'hgp/gzip') return new URL('gzip.js', builtPackage);
-  if (!/^\.{1,2}\//.test(specifier) || !parent?.endsWith('.ts')) return undefined;
+  if (!/^\.{1,2}\//.test(specifier) || !isSource.test(parent ?? '')) return undefined;
   const url = new URL(`${specifier}.ts`, parent);
   return existsSync(fileURLToPath(url)) ? url : undefined;
 }
@@ -62,7 +65,7 @@ function faulty(fileName) {
 }
 
 export async function load(url, context, next) {
-  if (!url.startsWith('file:') || !url.endsWith('.ts')) return next(url, context);
+  if (!url.startsWith('file:') || !isSource.test(url)) return next(url, context);
   const fileName = fileURLToPath(url);
   const source = await scriptOf(fileName, readFileSync(faulty(fileName) ?? fileName, 'utf8'));
   return { format: 'module', source, shortCircuit: true };

@@ -194,6 +194,8 @@ test('every way of moving the camera counts as moving: the view then stays when 
     },
     projection: ({ orbit }) => orbit.toggleParallel(),
     address: ({ orbit }) => ['', '1,2,3', '1,2,3,4,5,6,7', 'a,2,3,4,5,6', '1,2,3,4,5,Infinity'].forEach((text) => orbit.fromText(text)), // prettier-ignore
+    'all of it again': (one) => Object.values(ways).forEach((way) => (way(one), one.orbit.reset())),
+    'fitted again': (one) => Object.values(ways).forEach((way) => (way(one), one.orbit.fit())),
   };
   for (const [isMoved, all] of [
     [true, ways],
@@ -247,6 +249,32 @@ test('the address has the camera to four digits, in no more characters than that
     together(other.camera.position, position, 'position', 1e-4 * size);
     together(other.target(), target, 'target', 1e-4 * size);
   }
+});
+
+test('an address that lacks any of its six numbers, or has another word or more of them, moves nothing', () => {
+  const words = ['5', '-4.5', '3e-2', '1', '0', '-7'];
+  const changed = (act) => {
+    const all = [...words];
+    act(all);
+    return all.join(',');
+  };
+  const wrong = ['', ' ', 'x', '1x', 'NaN', '-Infinity', '1e999'];
+  const texts = words.flatMap((_, i) => [
+    changed((all) => all.splice(i, 1)),
+    changed((all) => all.splice(i, 0, '2')),
+    changed((all) => all.splice(i, 0, '')),
+    ...wrong.map((word) => changed((all) => (all[i] = word))),
+  ]);
+  const { camera, orbit, target } = orbitIn();
+  orbit.frame(ball(1).shape);
+  const [position, middle] = [camera.position.toArray(), target().toArray()];
+  for (const text of [...texts, `${words},`, `,${words}`, words.join(' ')]) {
+    orbit.fromText(text);
+    assert.deepEqual([camera.position.toArray(), target().toArray()], [position, middle], text);
+  }
+  orbit.fromText(`${words}`);
+  together(camera.position, new Vector3(5, -4.5, 0.03), 'position');
+  together(target(), new Vector3(1, 0, -7), 'target');
 });
 
 test('turning goes around the target to the right and down, at the same distance, and never over the poles', () => {

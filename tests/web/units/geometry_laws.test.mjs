@@ -108,6 +108,14 @@ test('the nearest vertex is that of a search among all, and none beyond the reac
       assert.equal(grid.of(point), far < reach ? v : -1, `${point} within ${reach}`);
     }
   }
+  // Whatever the unit of length is, and wherever the origin.
+  const points = Array.from({ length: 50 }, () => numbers(random, 3, -1.3, 1.3));
+  const foundIn = (unit, shift) => {
+    const grid = new NearestVertex(positions.map((x) => unit * (x + shift)), vertices, 0.3 * unit); // prettier-ignore
+    return points.map((point) => grid.of(point.map((x) => unit * (x + shift))));
+  };
+  const usual = foundIn(1, 0);
+  for (const [unit, shift] of [[2 ** 200, 0], [2 ** -200, 0], [1, 5000], [3, -70.3]]) assert.deepEqual(foundIn(unit, shift), usual); // prettier-ignore
   // Planes and single points have cells, too.
   const flat = new NearestVertex(Float64Array.from([0, 0, 0, 1, 0, 0]), [0, 1], 2);
   assert.deepEqual([flat.of([0.2, 0, 0]), flat.of([0.8, 0, 0]), flat.of([9, 0, 0])], [0, 1, -1]);

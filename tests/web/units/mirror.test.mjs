@@ -181,6 +181,27 @@ test('of a large surface some thousands of vertices are tried, and of a small on
   }
 });
 
+test('the plane is the same in whatever order the vertices of the halves come: in turn, in runs, one half after the other', () => {
+  const sizes = [1, 1.6, 2.4];
+  // So many that a sample of them is looked at.
+  for (const [count, run] of [
+    [3100, 1],
+    [3100, 3],
+    [6200, 1],
+  ]) {
+    const points = egg(sizes, count);
+    const half = points.length / 2;
+    // Runs of one half and of the other alternate.
+    const order = [...points.keys()].sort((v, w) => {
+      const [a, b] = [v, w].map((x) => [Math.floor((x % half) / run), Math.floor(x / half), x]);
+      return a[0] - b[0] || a[1] - b[1] || a[2] - b[2];
+    });
+    const pose = posed(order.map((v) => points[v]), 8); // prettier-ignore
+    const mirror = new Mirror(pose.shape);
+    assertPlane(mirror, pose, 1e-6, `${count} in runs of ${run}`);
+  }
+});
+
 test('a shape that is no image of itself has no plane', () => {
   const mesh = cubeMesh(8);
   for (const p of mesh.vertices) {

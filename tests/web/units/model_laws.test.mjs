@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { effect } from '@preact/signals-core';
+import { returnTo } from '../../../web/src/actions/compare_runs.ts';
 import { compareRuns } from '../../../web/src/model/compare.ts';
 import { Document, loadOptionsOf } from '../../../web/src/model/document.ts';
 import { sameFeatures } from '../../../web/src/model/features.ts';
@@ -174,6 +175,47 @@ test('a run is the current one as long as everything that decides a map is as it
   doc.begin(doc.prescription, model.loaded);
   doc.solutions = [first, solutionOf(doc)];
   assert.equal(doc.displayed, doc.solutions[1]);
+});
+
+test('whichever run one returns to is the current one then, with its cones and settings, and undo leads back to the cones', (t) => {
+  const random = randomFrom(21);
+  const pick = (all) => all[Math.floor(random() * all.length)];
+  const { doc } = opened();
+  const app = { doc, ui: {} };
+  const fields = [
+    { name: 'a.rosy', text: '' },
+    { name: 'b.rosy', text: '' },
+  ];
+  const features = [undefined, { hasCreases: false, hasRims: false, edges: [[1, 2]], rims: [] }, { hasCreases: true, hasRims: false, edges: [[3, 4]], rims: [] }]; // prettier-ignore
+  const edit = {
+    cones: () => doc.begin({ ...doc.prescription, cones: [{ vertex: Math.floor(9 * random()), k: 3 }] }), // prettier-ignore
+    improve: () => (doc.solve = { ...doc.solve, improve: pick([undefined, 0, 1, -1]) }),
+    grid: () => (doc.solve = { ...doc.solve, grid: { isOn: pick([true, false]), mode: pick(['tile', 'quad']) } }), // prettier-ignore
+    features: () => (doc.features = pick(features)),
+    frames: () => {
+      doc.takeField(pick([undefined, ...fields]));
+      doc.solve = { ...doc.solve, frames: doc.field ? pick(['auto', 'file']) : 'auto' };
+    },
+  };
+  // Choices in quick succession are one step.
+  let clock = 0;
+  t.mock.method(performance, 'now', () => (clock += 1000));
+  for (let round = 0; round < 100; round++) {
+    edit[pick(Object.keys(edit))]();
+    edit[pick(Object.keys(edit))]();
+    if (!doc.current) doc.solutions = [...doc.solutions.slice(-2), solutionOf(doc)];
+    const run = pick(doc.runs);
+    const { prescription, solve } = doc;
+    returnTo(app, run);
+    assert.equal(doc.current, run);
+    assert.equal(doc.prescription, run.prescription);
+    const { improve, frames, grid, ...rest } = doc.solve;
+    assert.deepEqual([improve, frames, grid], [run.improve, run.frames, run.grid]);
+    const { improve: _a, frames: _b, grid: _c, ...before } = solve;
+    assert.deepEqual(rest, before, 'what decides no map stays');
+    if (run.prescription === prescription) continue;
+    assert.equal(doc.history.undo().value.prescription, prescription);
+  }
 });
 
 test('features and fields are asked for only where lines and frames can follow them', () => {

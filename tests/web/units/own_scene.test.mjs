@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Matrix4, Vector3 } from 'three';
 import { disposeScene, loadGltfScene } from '../../../web/src/views/gltf_scene.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh, packGlb, toGlb, toGltf } from '../../support/meshes.mjs';
 
 globalThis.self ??= globalThis;
@@ -73,6 +74,29 @@ test('meshes without normals get smooth ones with creases, large ones smooth one
     return Array.from({ length: normal.count }, (_, i) => new Vector3().fromBufferAttribute(normal, i)).some((p) => Math.max(Math.abs(p.x), Math.abs(p.y), Math.abs(p.z)) < 0.99); // prettier-ignore
   };
   assert.deepEqual([await bends(70), await bends(71)], [false, true]);
+});
+
+test('normals of the file are shown as they are, however unlike those of the shape, on each mesh that has them', async () => {
+  const random = randomFrom(3);
+  const { json, bin } = toGltf([cubeMesh(2), cubeMesh(1)]);
+  const [first, second] = json.meshes.map(({ primitives }) => primitives[0].attributes);
+  const { count } = json.accessors[first.POSITION];
+  const normals = Float32Array.from({ length: 3 * count }, () => 2 * random() - 1);
+  const content = new Uint8Array(bin.byteLength + normals.byteLength);
+  content.set(new Uint8Array(bin.buffer ?? bin, bin.byteOffset ?? 0, bin.byteLength));
+  content.set(new Uint8Array(normals.buffer), bin.byteLength);
+  json.buffers[0].byteLength = content.length;
+  json.bufferViews.push({ buffer: 0, byteOffset: bin.byteLength, byteLength: normals.byteLength });
+  first.NORMAL = json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType: 5126, count, type: 'VEC3' }) - 1; // prettier-ignore
+  delete second.NORMAL;
+  const parts = [0, 1].map((mesh) => ({ mesh, matrices: [unit] }));
+  const source = sourceOf('a.gltf', JSON.stringify(json), { [json.buffers[0].uri]: content }, parts); // prettier-ignore
+  const { instances } = await loadGltfScene(source);
+  const [shown, made] = parts.map(({ mesh }) => meshesOf(instances.get(mesh)[0])[0].geometry);
+  assert.deepEqual([...shown.attributes.normal.array], [...normals]);
+  assert.equal(shown.index.count, 3 * cubeMesh(2).triangles.length, 'and its corners are shared as they were'); // prettier-ignore
+  const { normal } = made.attributes;
+  for (let i = 0; i < normal.count; i++) assert.ok(Math.abs(new Vector3().fromBufferAttribute(normal, i).length() - 1) < 1e-6); // prettier-ignore
 });
 
 test('buffers come from the files, from data in the file, and from nowhere else', async () => {

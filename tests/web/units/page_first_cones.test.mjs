@@ -115,6 +115,23 @@ test(
     assert.deepEqual(await move(now, withInfo(old, { file: now.info.file })), [], 'as it was');
     assert.deepEqual(await move(now, old, []), [], 'none');
     assert.deepEqual(await move(now, old, corners.slice(0, 1)), corners.slice(0, 1));
+    // A move that was stopped is no failure, whoever stopped it and whatever the solver says then.
+    for (const isStopped of [false, true])
+      for (const error of [new DOMException('', 'AbortError'), new Error('not so')]) {
+        const controller = new AbortController();
+        if (isStopped) controller.abort();
+        const solver = { transferCones: () => Promise.reject(error) };
+        doc.message = undefined;
+        doc.previous = { model: old, prescription: before.prescription };
+        const moving = moveFromPrevious(app, { ...now, solver }, { ...call, signal: controller.signal }); // prettier-ignore
+        if (isStopped || error.name === 'AbortError') {
+          await assert.rejects(moving, (thrown) => thrown === error);
+          assert.equal(doc.message, undefined);
+        } else {
+          assert.equal(await moving, true);
+          assert.deepEqual([doc.message.kind, doc.message.text.includes('not so')], ['error', true]); // prettier-ignore
+        }
+      }
     await old.solver.dispose();
     assert.deepEqual(await move(now, old), [], 'the solver has it no longer');
   },

@@ -9,7 +9,7 @@ import { $, drawn, openFiles, openPage, runNow, skip, until } from './whole_page
 
 const load = (name) => import(`../../../web/src/actions/${name}.ts`);
 const edit = await load('edit_cones');
-const { runJob } = await load('job');
+const { cancel, runJob } = await load('job');
 const solving = await load('solve');
 const featuring = await load('features');
 const { actionIds, actions, perform, whyNotOf } = await load('registry');
@@ -19,7 +19,8 @@ const { evenOut } = await load('even_out');
 const { switchMesh } = await load('load');
 const { mirrorCone } = await load('mirror_cone');
 const { usePreset } = await load('presets');
-const { leaveRepairsOut, repair, repairAll, placeOnAny } = await load('repair');
+const { leaveRepairsOut, repair, repairAll, repairAndRun, placeOnAny } = await load('repair');
+const { runAll } = await load('run_all');
 const { redo, undo } = await load('undo');
 
 async function pageWith(t, files) {
@@ -391,3 +392,88 @@ test('two million triangles are opened; of one more it is said what they need an
   for (const part of ['2.0 million', '4 GB', "hgp param 'larger one.obj'"]) assert.ok(doc.message.text.includes(part), doc.message.text); // prettier-ignore
   assert.notEqual(doc.model?.main, 'larger one.obj');
 }); // prettier-ignore
+
+/** A cube with a triangle more on one of its edges, which three triangles then have. */
+function finned(n) {
+  const { vertices, triangles } = cubeMesh(n);
+  const [a, b] = triangles[0];
+  const tip = vertices[a].map((x, i) => x + vertices[b][i]);
+  return { vertices: [...vertices, tip], triangles: [...triangles, [a, b, vertices.length]] };
+}
+
+test(
+  'a cone can be placed on a mesh that repairs make usable, after them; on any other it is told why not',
+  { skip },
+  async (t) => {
+    const app = await pageWith(t, { 'fin.obj': toObj(finned(2)) });
+    const { doc } = app;
+    const [read, before] = [doc.model, stateOf(app)];
+    assert.equal(read.info.usable, false);
+    await placeOnAny(app, 5);
+    await until(() => !doc.isBusy);
+    assert.equal(doc.model.info.usable, true);
+    assert.deepEqual(doc.prescription.cones.map(({ vertex }) => doc.model.surface.representative[vertex]), [doc.model.surface.representative[5]]); // prettier-ignore
+    assert.equal(doc.message.kind, 'note');
+    await undo(app);
+    await undo(app);
+    assert.deepEqual([doc.model.info.usable, doc.prescription.cones.length, doc.history.canUndo], [false, 0, before.history.canUndo]); // prettier-ignore
+
+    // One that no repair can make usable, or whose repairs were made already.
+    const hopeless = {
+      defects: [{ ...read.info.defects[0], kind: 'no-such-repair', fatal: true }],
+    };
+    for (const more of [
+      { info: { ...read.info, ...hopeless } },
+      { loaded: { fix: {}, hasAllRepairs: true } },
+    ]) {
+      // prettier-ignore
+      doc.state = { kind: 'open', model: { ...doc.model, ...more } };
+      const then = stateOf(app);
+      doc.message = undefined;
+      await placeOnAny(app, 5);
+      assert.equal(doc.message.kind, 'error');
+      unchanged(app, then, 'a cone on it');
+    }
+    assert.equal(await repairAndRun(app), 'refused', 'all repairs were made');
+    assert.deepEqual([doc.solutions, doc.isBusy], [[], false]);
+    assert.equal(await repair(app, []), false);
+  },
+);
+
+test(
+  'all meshes of a file are run, repaired where they need it, and the open one is open again; who cancels ends all',
+  { skip },
+  async (t) => {
+    const app = await pageWith(t, { 'all.glb': toGlb([cubeMesh(2), finned(3), cubeMesh(3)]) });
+    const { doc } = app;
+    const meshes = () => new Map([...doc.meshes.values(), doc.work].map((work) => [work.model.info.surface, work])); // prettier-ignore
+    const mapped = () => [...meshes()].filter(([, { solutions }]) => solutions.length > 0).map(([mesh]) => mesh).sort(); // prettier-ignore
+    await switchMesh(app, 2);
+    // Cancelled while the second one runs.
+    const all = runAll(app);
+    await until(() => doc.job?.kind === 'run' && doc.model.info.surface === 1);
+    cancel(app);
+    await all;
+    await until(() => !doc.isBusy);
+    assert.deepEqual([mapped(), doc.model.info.surface], [[0], 1]);
+    const { solutions } = meshes().get(0);
+    await switchMesh(app, 2);
+    await runAll(app);
+    assert.deepEqual([mapped(), doc.model.info.surface, doc.message.kind], [[0, 1, 2], 2, 'good']);
+    assert.ok(doc.message.text.startsWith('3 '));
+    assert.equal(meshes().get(0).solutions[0], solutions[0], 'what has a map is not run again');
+    // One whose map is not certified is named.
+    const work = meshes().get(1);
+    const [last] = work.solutions;
+    const refused = { ...last, isSameAsFile: false };
+    doc.meshes = new Map(doc.meshes).set(1, { ...work, solutions: [refused] });
+    await runAll(app);
+    assert.deepEqual([doc.message.kind, doc.model.info.surface], ['error', 2]);
+    assert.ok(doc.message.text.startsWith('2 ') && doc.message.text.includes(work.model.info.surfaces[1].name || 'Mesh 1')); // prettier-ignore
+    // Another file that is opened meanwhile ends it.
+    const replaced = runAll(app);
+    await openFiles(app, { 'other.obj': toObj(cubeMesh(1)) });
+    await replaced;
+    assert.deepEqual([doc.model.main, doc.solutions], ['other.obj', []]);
+  },
+);

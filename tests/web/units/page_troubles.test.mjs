@@ -17,6 +17,7 @@ import {
   skip,
   until,
 } from './whole_page.mjs';
+import { replace } from '../../support/replaced.mjs';
 
 const load = (name) => import(`../../../web/src/actions/${name}.ts`);
 const { close, open, openExample, supply, loadWithoutImages } = await load('open');
@@ -40,12 +41,21 @@ async function pageWith(t, files) {
   app.ui.setAutomatic(false);
   return app;
 }
-/** Replaces a member of the global object until the test ends. */
-function replace(t, name, value) {
-  const own = Object.getOwnPropertyDescriptor(globalThis, name);
-  Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
-  t.after(() => (own ? Object.defineProperty(globalThis, name, own) : delete globalThis[name]));
-}
+test('what a test replaces in the global object is there again after it, however often it replaces it', async (t) => {
+  const names = ['Worker', 'fetch', 'navigator', 'noSuchThing'];
+  const there = () => names.map((name) => Object.getOwnPropertyDescriptor(globalThis, name));
+  const before = there();
+  for (const times of [1, 2, 3])
+    await t.test(`${times}`, (inner) => {
+      for (let i = 0; i < times; i++)
+        for (const name of names) {
+          replace(inner, name, `${name} ${i}`);
+          assert.equal(globalThis[name], `${name} ${i}`);
+        }
+    });
+  assert.deepEqual(there(), before);
+  assert.equal('noSuchThing' in globalThis, false);
+});
 
 test(
   'files up to half a gigabyte are read, larger ones refused; who opens another file sees the last one',

@@ -62,6 +62,29 @@ function strip(scales) {
   };
 }
 
+test('a quantile is found in some looks at each value, whichever way they are sorted and whatever is asked for', () => {
+  const count = 2000;
+  const orders = {
+    up: (i) => i,
+    down: (i) => -i,
+    'up and down': (i) => Math.min(i, count - i),
+    'down and up': (i) => Math.max(i, count - i),
+    equal: () => 3,
+    few: (i) => i % 3,
+    mixed: (i) => (i * 7919) % count,
+  };
+  for (const [name, at] of Object.entries(orders))
+    for (const share of [0, 1 / 128, 0.5, 127 / 128, 1]) {
+      let looks = 0;
+      const values = new Proxy({}, { get: (_, i) => ((looks += 1), at(Number(i))) });
+      const ids = Uint32Array.from({ length: count }, (_, i) => i);
+      const found = weightedQuantile(ids, values, new Float64Array(count).fill(1), share);
+      const sorted = Array.from({ length: count }, (_, i) => at(i)).sort((a, b) => a - b);
+      assert.equal(found, sorted[Math.max(0, Math.ceil(share * count) - 1)], `${name} ${share}`); // prettier-ignore
+      assert.ok(looks < 30 * count, `${name} ${share}: ${looks} looks`);
+    }
+});
+
 test('places of very different size are found, each once, with a vertex inside', () => {
   const scales = new Array(60).fill(1);
   scales.fill(0.05, 10, 13).fill(20, 40, 44);

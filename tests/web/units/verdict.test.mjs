@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { readUv } from '../../../web/src/formats/read_uv.ts';
 import { isCertified, verdictRows } from '../../../web/src/model/verdict.ts';
 import { analyse } from '../../../web/src/services/geometry/analyse.ts';
@@ -272,4 +273,43 @@ test('the least area is that of the triangles in the file; of the map where the 
   const text = new TextDecoder().decode(objOf(map));
   const fewer = text.split('\n').slice(0, -1).join('\n');
   for (const other of [fewer, 'nothing']) assert.deepEqual(least(new TextEncoder().encode(other)), own); // prettier-ignore
+});
+
+test('each thing that is wrong fails its row and the verdict, in any company; what is a fact only does not', () => {
+  const wrong = {
+    'Flipped triangles': { flipped: 1 },
+    'Boundary turning': { wrongTurnings: 2 },
+    'Regular vertices': { wrongAngles: 1 },
+    Seams: { brokenSeams: 1 },
+    'Areas in the file': { usable: false },
+  };
+  const facts = {
+    'Exact seams': { exactSeams: 0, seamEdges: 3 },
+    'Lines meet': { exactSeams: 0, seamEdges: 3, integerSeams: 2 },
+  };
+  const random = randomFrom(11);
+  const some = (all) => Object.entries(all).filter(() => random() < 0.3);
+  const made = new Map();
+  for (let round = 0; round < 120; round++) {
+    const [bad, plain] = [some(wrong), some(facts)];
+    const isHeld = random() < 0.8;
+    const solution = solutionOf(square());
+    const { components } = certificate;
+    const [first, ...others] = components;
+    const parts = Object.assign({}, ...[...bad, ...plain].map(([, part]) => part));
+    solution.result.certificate = { ...certificate, components: [{ ...first, turnings: [0] }, ...others], ...parts }; // prettier-ignore
+    solution.isSameAsFile = isHeld;
+    const expected = [...bad.map(([name]) => name), ...(isHeld ? [] : ['The file holds this map'])];
+    const rows = verdictRows(solution);
+    const names = rows.filter(({ isGood, isFact }) => !isGood && !isFact).map(({ name }) => name);
+    assert.deepEqual(names.sort(), expected.sort());
+    assert.equal(isCertified(solution), expected.length === 0, `${expected}`);
+    assert.deepEqual(rows.filter(({ isGood, isFact }) => !isGood && isFact).map(({ name }) => name).slice(0, 1), plain.length > 0 ? ['Exact seams'] : []); // prettier-ignore
+    for (const name of expected) made.set(name, true);
+    // An objection of the solver has a row of its own only where no other row says it.
+    solution.result.certificate = { ...solution.result.certificate, certified: false };
+    const refused = verdictRows(solution).filter(({ isGood, isFact }) => !isGood && !isFact);
+    assert.equal(refused.length, Math.max(1, expected.length));
+  }
+  assert.equal(made.size, Object.keys(wrong).length + 1);
 });

@@ -77,14 +77,17 @@ export class Orbit {
     if (!this.#isTouched) this.#place(this.#direction);
   }
 
+  /** All of the model, as it was shown at first. */
   reset(): void {
     this.#framed = this.#whole;
+    this.#isTouched = false;
     this.#place(startFrom);
   }
 
   /** The part on which the user works, from where the camera is. */
   fit(): void {
     this.#framed = this.#part;
+    this.#isTouched = false;
     this.#place(this.#direction);
   }
 
@@ -243,7 +246,8 @@ export class Orbit {
     return all.map((x) => Number(x.toPrecision(5))).join(',');
   }
   fromText(text: string): void {
-    const numbers = text.split(',').map(Number);
+    // An empty word would be the number 0.
+    const numbers = text.split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
     if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
     this.#isTouched = true;
     this.#camera.position.fromArray(numbers);

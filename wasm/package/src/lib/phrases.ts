@@ -68,16 +68,32 @@ type Value = number | string | null | undefined;
 const valueOf = ({ numbers, words }: Note, name: string): Value =>
   name in numbers ? numbers[name] : words[name];
 
+/**
+ * A number with so many digits, by `write`. Of two that are equally near, printf takes the one with an even last digit,
+ * and JavaScript the larger one.
+ */
+function rounded(value: number, digits: number, write: 'toFixed' | 'toExponential'): string {
+  const beyond = 25; // digits, in which a double near the middle shows on which side of it it is
+  const found = /^(.*?(\d)\.?)(\d{25})(e.*)?$/.exec(value[write](digits + beyond));
+  if (!found) return value[write](digits); // not a finite number
+  const [, down, last, rest, end = ''] = found;
+  const isMiddle = rest === `5${'0'.repeat(beyond - 1)}`;
+  if (!isMiddle || Number(last) % 2 !== 0) return value[write](digits);
+  return down.replace(/\.$/, '') + end;
+}
+
 /** A number as printf's `.2e`, `.3g`, `.1f` or `g` prints it. */
 function formatted(value: number, format: string): string {
   const kind = format.at(-1);
   const digits = format.startsWith('.') ? Number(format.slice(1, -1)) : 6;
-  if (kind === 'f') return value.toFixed(digits);
-  if (kind === 'e') return withExponent(value.toExponential(digits));
-  const exponent = value === 0 ? 0 : Number(/e(.*)/.exec(value.toExponential(digits - 1))?.[1]);
+  if (kind === 'f') return rounded(value, digits, 'toFixed');
+  if (kind === 'e') return withExponent(rounded(value, digits, 'toExponential'));
+  const scientific = rounded(value, digits - 1, 'toExponential');
+  const exponent = value === 0 ? 0 : Number(/e(.*)/.exec(scientific)?.[1]);
   const isPlain = exponent >= -4 && exponent < digits;
-  const text = isPlain ? value.toFixed(digits - 1 - exponent) : value.toExponential(digits - 1);
-  return withExponent(text.replace(/\.?0+(?=e|$)/, (zeros) => (text.includes('.') ? '' : zeros)));
+  const text = isPlain ? rounded(value, digits - 1 - exponent, 'toFixed') : scientific;
+  // Zeros at the end of the fraction, not those of an exponent.
+  return withExponent(text.replace(/(\.\d*?)0+(?=e|$)/, '$1').replace(/\.(?=e|$)/, ''));
 }
 
 /** 1.1e-5 as 1.1e-05. */

@@ -3,6 +3,7 @@
 
 import type { Surface } from '../../model/types';
 import { NearestVertex } from './nearest_vertex';
+import { randomSequence } from './random_sequence';
 import { largestAxis, type Matrix } from './symmetric_matrix';
 
 type Vector = [number, number, number];
@@ -33,10 +34,19 @@ const outer = (sum: number[], d: Vector): void => {
   for (let i = 0; i < 3; i++) for (let j = 0; j < 3; j++) sum[3 * i + j] += d[i] * d[j];
 };
 
+/**
+ * Some of many vertices, from all of their order; all of a few. Not every n-th one, which may be in one half of the
+ * surface only: files often have the two halves in turn.
+ */
+function sampleOf(vertices: readonly number[]): number[] {
+  if (vertices.length < 2 * maxSamples) return [...vertices];
+  const share = vertices.length / maxSamples;
+  const random = randomSequence(11);
+  return Array.from({ length: maxSamples }, (_, i) => vertices[Math.floor((i + random()) * share)]);
+}
+
 /** Directions that planes are tried across. */
-function candidates(points: readonly Vector[], centre: Vector): Vector[] {
-  const inertia = new Array<number>(9).fill(0);
-  for (const p of points) outer(inertia, minus(p, centre));
+function candidates(inertia: readonly number[]): Vector[] {
   const first = largestAxis(inertia as Matrix);
   const rest = inertia.map((x, at) => {
     const [i, j] = [Math.floor(at / 3), at % 3];
@@ -59,9 +69,7 @@ export class Mirror {
     const own: number[] = [];
     for (let v = 0; v < vertexCount; v++) if (representative[v] === v) own.push(v);
     this.#nearest = new NearestVertex(positions, own, farthest * shape.diagonal);
-    const step = Math.max(1, Math.floor(own.length / maxSamples));
-    const samples = own.filter((_, i) => i % step === 0).map((v) => this.#at(v));
-    if (samples.length > 0) this.plane = this.#find(samples);
+    if (own.length > 0) this.plane = this.#find(own);
   }
 
   /** The vertex opposite to v; −1 if there is none, v itself if it is on the plane. */
@@ -79,14 +87,24 @@ export class Mirror {
     return [p[3 * v], p[3 * v + 1], p[3 * v + 2]];
   }
 
-  #find(samples: readonly Vector[]): Plane | undefined {
-    const centre = [0, 1, 2].map(
-      (i) => samples.reduce((sum, p) => sum + p[i], 0) / samples.length,
-    ) as Vector;
+  /** The centre of vertices, and their products of inertia around it. */
+  #spread(vertices: readonly number[]): [Vector, number[]] {
+    const sum: Vector = [0, 0, 0];
+    for (const v of vertices) this.#at(v).forEach((x, i) => (sum[i] += x));
+    const centre = sum.map((x) => x / vertices.length) as Vector;
+    const inertia = new Array<number>(9).fill(0);
+    for (const v of vertices) outer(inertia, minus(this.#at(v), centre));
+    return [centre, inertia];
+  }
+
+  #find(vertices: readonly number[]): Plane | undefined {
+    // Of all vertices: those of a sample may be more on one side.
+    const [centre, inertia] = this.#spread(vertices);
+    const samples = sampleOf(vertices).map((v) => this.#at(v));
     // The spacing of vertices, which distances to the next vertex cannot be expected to be below.
     const spacing = Math.sqrt(this.#nearest.meanSpacing / 3);
     let best: { plane: Plane; off: number } | undefined;
-    for (const normal of candidates(samples, centre)) {
+    for (const normal of candidates(inertia)) {
       const fitted = this.#fit(samples, { normal, offset: dot(normal, centre) });
       if (!best || fitted.off < best.off) best = fitted;
     }

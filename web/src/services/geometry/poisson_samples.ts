@@ -1,6 +1,7 @@
 // Points evenly distributed over a surface (Poisson disk sampling), at least `spacing` apart. Deterministic.
 
 import type { Surface } from '../../model/types';
+import { randomSequence } from './random_sequence';
 import { areaVector, lengthOf } from './triangle';
 
 export interface Sample {
@@ -17,15 +18,6 @@ type Vector = [number, number, number];
 
 const tries = 5; // candidates per point that fits
 const maxCandidates = 60_000;
-
-/** A sequence of uniformly distributed numbers in (0, 1) from a seed. */
-function sequence(seed: number): () => number {
-  let x = seed | 0;
-  return () => {
-    x = (Math.imul(x, 1664525) + 1013904223) | 0;
-    return (x >>> 8) / 2 ** 24;
-  };
-}
 
 /** Accepts points that are far enough from all others, with a hash grid to find neighbours. */
 class NeighbourGrid {
@@ -91,7 +83,7 @@ class PoissonSampler {
   readonly #surface: SampledSurface;
   readonly #areas: Float64Array;
   readonly #each: number; // candidates per unit of area
-  readonly #random = sequence(7);
+  readonly #random = randomSequence(7);
   readonly #grid: NeighbourGrid;
   readonly #candidates: { sample: Sample; order: number }[] = [];
   #pendingCandidates = 0.5;

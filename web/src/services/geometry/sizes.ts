@@ -3,6 +3,7 @@
 
 import type { SizePlaces, Sizes } from '../../model/measures';
 import type { Surface } from '../../model/types';
+import { randomSequence } from './random_sequence';
 import { areaVector, lengthOf } from './triangle';
 
 type Values = ArrayLike<number>;
@@ -18,8 +19,11 @@ export function weightedQuantile(
   let rest = 0;
   for (const i of ids) rest += share * weights[i];
   let [first, last] = [0, ids.length];
+  // Anywhere: values that fall and rise again, as those of a symmetric surface may, have their largest ones at fixed places.
+  const random = randomSequence(5);
+  const any = (): number => values[ids[first + Math.floor(random() * (last - first))]];
   while (last - first > 1) {
-    const [x, y, z] = [first, (first + last) >> 1, last - 1].map((at) => values[ids[at]]);
+    const [x, y, z] = [any(), any(), any()];
     const pivot = Math.max(Math.min(x, y), Math.min(Math.max(x, y), z));
     // Three parts: below the pivot, equal to it, above it.
     let [low, at, high] = [first, first, last];

@@ -13,6 +13,7 @@ import { refreshRecent } from './actions/recent';
 import { flushAddress } from './actions/remember';
 import { watchThumbnails } from './actions/thumbnails';
 import { readHash } from './formats/hash_state';
+import { ignoreSecondClicks } from './input/double_click';
 import { listenToDrops } from './input/drop';
 import { Keyboard } from './input/keyboard';
 import { Pointer } from './input/pointer';
@@ -109,6 +110,7 @@ function catchTheRest(): void {
 
 async function start(): Promise<void> {
   catchTheRest();
+  ignoreSecondClicks(document);
   listenToDrops(app); // at once: the browser would leave the page for the file
   const page = document.createElement('hgp-page') as Panel;
   page.app = app;

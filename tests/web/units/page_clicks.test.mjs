@@ -8,6 +8,7 @@ import { cubeMesh, toGltf, toObj, toOff } from '../../support/meshes.mjs';
 import { $, $$, choose, click, drawn, openFiles, openPage, runNow, saved, skip, textOf, until } from './whole_page.mjs'; // prettier-ignore
 
 const { Keyboard } = await import('../../../web/src/input/keyboard.ts');
+const { ignoreSecondClicks } = await import('../../../web/src/input/double_click.ts');
 const { listenToDrops } = await import('../../../web/src/input/drop.ts');
 const { listenToSplitter } = await import('../../../web/src/input/splitter.ts');
 const { setPrescription } = await import('../../../web/src/actions/edit_cones.ts');
@@ -69,6 +70,11 @@ test('files come by either field, by dropping, and one by one where they are mis
   const items = [{ webkitGetAsEntry: () => null }];
   assert.equal(fire('drop', { dataTransfer: { files: [file], items } }), true);
   await until(() => doc.usableModel?.main === 'c.obj' && !doc.isBusy);
+  const isSaid = () => $('#status').classList.contains('error');
+  assert.equal(isSaid(), false);
+  fire('drop', { dataTransfer: { files: [], items } });
+  await until(isSaid);
+  assert.equal(doc.usableModel?.main, 'c.obj', 'stays open where there was no file in what was dropped');
 
   const { json, bin } = toGltf([cubeMesh(2)]);
   json.images = [{ uri: 'skin.png' }];
@@ -85,6 +91,40 @@ test('files come by either field, by dropping, and one by one where they are mis
   await click($$('#pick-model button').at(-1));
   assert.deepEqual([doc.stateName, $('dialog')], ['empty', null]);
 }); // prettier-ignore
+
+test('the second click of a double click is not one on what has come in place of the first button', () => {
+  const place = document.createElement('div');
+  document.body.append(place);
+  ignoreSecondClicks(place);
+  const clicked = [];
+  const show = (...ids) =>
+    place.replaceChildren(
+      ...ids.map((id) => {
+        const button = Object.assign(document.createElement('button'), { id });
+        button.addEventListener('click', () => clicked.push(id));
+        return button;
+      }),
+      document.createElement('p'),
+    );
+  const clickOn = (id, detail) =>
+    place
+      .querySelector(id)
+      .dispatchEvent(new MouseEvent('click', { detail, bubbles: true, cancelable: true }));
+  show('start', 'stop');
+  place.querySelector('p').addEventListener('click', () => clicked.push('p'));
+  const both = (first, second) => [clickOn(first, 1), clickOn(second, 2)];
+  assert.deepEqual(both('#start', '#stop'), [true, false], 'the browser does nothing either');
+  assert.deepEqual(clicked.splice(0), ['start']);
+  both('#stop', '#start');
+  both('#start', 'p');
+  assert.deepEqual(clicked.splice(0), ['stop', 'start']);
+  both('#start', '#start');
+  both('p', 'p');
+  assert.deepEqual(clicked.splice(0), ['start', 'start', 'p', 'p'], 'two clicks on the same');
+  for (const detail of [0, 1]) for (const id of ['#start', '#stop']) clickOn(id, detail);
+  assert.deepEqual(clicked, ['start', 'stop', 'start', 'stop'], 'by keyboard, and one by one');
+  place.remove();
+});
 
 test('the divider follows the pointer between the views, arrows, and clicks from place to place', { skip }, async (t) => {
   const app = await pageWith(t, { 'cube.obj': toObj(cubeMesh(1)) });

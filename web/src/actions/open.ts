@@ -16,10 +16,13 @@ import { refreshRecent, remember } from './recent';
 
 const maxBytes = 512 * 2 ** 20;
 
+const kinds = 'The page reads GLB, glTF, OBJ, PLY, STL and OFF.';
+
 /** Opens new files: a model, a cone file for the open model, or files that were missing. */
 export async function open(app: App, dropped: Files): Promise<void> {
-  if (dropped.size === 0) return;
   const { doc } = app;
+  // Of a text, or of a folder without files.
+  if (dropped.size === 0) return doc.say(`There is no file in what was dropped. ${kinds}`, 'error');
   const own = ++doc.openRequestId;
   if (doc.state.kind === 'starting') {
     doc.say(`The solver is still starting; ${[...dropped.keys()][0]} is opened then.`);
@@ -40,7 +43,6 @@ export async function open(app: App, dropped: Files): Promise<void> {
     doc.previous = undefined;
     freeUnused(app);
     const name = [...files.keys(), ...dropped.keys()][0];
-    const kinds = 'The page reads GLB, glTF, OBJ, PLY, STL and OFF.';
     return doc.say(`“${name}” holds no mesh. ${kinds}`, 'error');
   }
   if (meshes.length > 1) doc.state = { kind: 'pick-model', files, candidates: meshes };

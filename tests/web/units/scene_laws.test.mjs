@@ -54,6 +54,24 @@ test('a mesh is the quieter the less there is to see of it: under the pointer, c
   assert.ok(all.get(3)[0].quiet.value > 0);
 });
 
+test('every part has a ball around it, and one with positions that are not finite does not trouble three.js', () => {
+  for (let round = 0; round < 20; round++) {
+    const some = part(0, [at(0)]);
+    some.cornerPositions = Float32Array.from({ length: 18 }, (_, i) => Math.sin(7.3 * round + i * i) * 10 ** (round % 5)); // prettier-ignore
+    const [{ geometry }] = sceneOf([some]).scene.children;
+    const ball = geometry.boundingSphere;
+    const position = geometry.getAttribute('position');
+    const far = Array.from({ length: 6 }, (_, i) => new Vector3().fromBufferAttribute(position, i).distanceTo(ball.center)); // prettier-ignore
+    assert.ok(Math.max(...far) <= ball.radius * (1 + 1e-6));
+    assert.ok(Math.max(...far) >= ball.radius / 2, 'and no larger than the box of the points');
+    for (const bad of [NaN, Infinity, -Infinity]) {
+      const broken = { ...some, cornerPositions: some.cornerPositions.with(round % 18, bad) };
+      const [{ geometry: of }] = sceneOf([broken]).scene.children;
+      assert.deepEqual(of.boundingSphere.center.toArray(), [0, 0, 0]);
+    }
+  }
+});
+
 test('each instance is drawn once: by the view, with its own materials, or with the pattern', () => {
   const parts = [part(0, [at(0), at(2)]), part(1, [at(4), at(6)]), part(2, [at(8)], false)];
   const maps = new Map([[1, mapOf()]]);

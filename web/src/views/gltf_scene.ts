@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { splitGlb, surfaceMeshes, type Json } from '../formats/glb';
 import type { Files, OutputFile } from '../model/types';
+import { ballAround } from './ball';
 
 interface Source {
   /** The main file first. */
@@ -126,6 +127,7 @@ function atRest(object: Object3D, matrix: Matrix4): OwnInstance {
     const { geometry, material } = part as Partial<Mesh>;
     if (!geometry || !material || !(part as Mesh).isMesh) return;
     geometry.morphAttributes = {};
+    geometry.boundingSphere ??= ballAround(geometry.getAttribute('position'));
     const [first] = [material].flat();
     const mesh = new Mesh(geometry, quietable(first, instance));
     mesh.frustumCulled = false;

@@ -16,6 +16,7 @@ import {
 import type { MeshBVH } from 'three-mesh-bvh';
 import type { ScenePart } from '../model/scene';
 import type { Pattern } from '../model/types';
+import { ballAround } from './ball';
 import type { Shape } from './camera';
 import { bvhFrom } from './corner_geometry';
 import type { OwnInstance } from './gltf_scene';
@@ -88,6 +89,7 @@ export class WholeScene extends Group {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new BufferAttribute(shape.cornerPositions, 3));
       geometry.setAttribute('normal', new BufferAttribute(shape.cornerNormals, 4, true));
+      geometry.boundingSphere = ballAround(geometry.getAttribute('position'));
       const material = surfaceMaterial(true, this.#toStudio);
       const instances = matrices.map((matrix, instance) => {
         const one = new Mesh(geometry, material);

@@ -361,6 +361,7 @@ constexpr Phrase kOthers[] = {
     // What to do about an error: its message has the rule and the number.
     {"repair-with", "Repair with --fix {fixes}[more: as well]"},
     {"repair-by-hand", "No repair removes this; edit the mesh there"},
+    {"find-creases", "Find creases by angle: --creases (features.creases)"},
     {"raise-bytes", "Raise it by --max-bytes (limits.bytes)"},
     {"raise-triangles", "Raise it by --max-triangles (limits.triangles)"},
     {"use-cones", "Leave out --boundary to use cones"},

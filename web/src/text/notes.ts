@@ -41,6 +41,7 @@ const pagePhrases: Phrases = {
     'Wrote TEXCOORD_{set}; many viewers read TEXCOORD_0 to TEXCOORD_3 only: choose one of those under UV set',
   'repair-with': '',
   'repair-by-hand': 'No repair removes this; edit the mesh there',
+  'find-creases': 'Lines follow creases finds them by angle',
   'raise-bytes': '',
   'raise-triangles': '',
   'use-cones': '',

@@ -19,8 +19,9 @@ using Pair = std::array<int, 2>;
 
 Pair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-Failure refusedFeature(std::string message, std::vector<Where> where = {}) {
-  return {ErrorCode::kPrescription, "features", std::move(message), std::move(where)};
+Failure refusedFeature(std::string message, std::vector<Where> where = {}, Notes advice = {}) {
+  return {ErrorCode::kPrescription, "features", std::move(message), std::move(where),
+          std::move(advice)};
 }
 
 /// Whether the list of features names a file, and it is not this one.
@@ -81,9 +82,8 @@ Status checkFound(const PairSet& listed, const PairSet& marked, Notes& notes) {
   const std::size_t pairs = where.size();
   if (pairs == marked.size())
     return refusedFeature("the file marks " + counted(pairs, "pair", "pairs") +
-                              " of vertices, and none is an edge of the mesh. Find edges by angle: "
-                              "--creases",
-                          std::move(where));
+                              " of vertices, and none is an edge of the mesh",
+                          std::move(where), {Note("find-creases")});
   notes.push_back(Note("marks-no-edges", {{"pairs", pairs}}, std::move(where)));
   return Done{};
 }

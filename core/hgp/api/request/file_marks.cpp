@@ -109,9 +109,10 @@ class MarkFinder {
           ErrorCode::kPrescription,
           "features",
           formatText("normals differ at %zu of %zu edges: the file is shaded flat, so that "
-                     "its normals mark no creases. Find them by angle (creases)",
+                     "its normals mark no creases",
                      split.size(), edges),
-          {}};
+          {},
+          {Note("find-creases")}};
     if (!isFlat) found_.insert(found_.end(), split.begin(), split.end());
     return Done{};
   }
@@ -143,11 +144,11 @@ Result<std::vector<Pair>> markedEdges(const Model& model,
       ErrorCode::kPrescription,
       "features",
       "the file marks no edges (" + names + ")" +
-          (model.hasOwnVertexIds
-               ? ". Find them by angle (creases)"
-               : "; lines and smoothing groups are lost where it is converted: list them "
-                 "before with hgp features"),
-      {}};
+          (model.hasOwnVertexIds ? ""
+                                 : "; lines and smoothing groups are lost where it is converted: "
+                                   "list them before with hgp features"),
+      {},
+      model.hasOwnVertexIds ? Notes{Note("find-creases")} : Notes()};
 }
 
 }  // namespace hgp::api

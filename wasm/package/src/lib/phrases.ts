@@ -53,6 +53,7 @@ const optionPhrases: Phrases = {
   'write-set-high':
     'wrote TEXCOORD_{set}; many viewers read TEXCOORD_0 to TEXCOORD_3 only: uvSet replaces one of those',
   'repair-with': 'Repair with fix: {fixes}[more: as well]',
+  'find-creases': 'Find creases by angle: features.creases',
   'raise-bytes': 'Raise it by limits.bytes',
   'raise-triangles': 'Raise it by limits.triangles',
   'use-cones': 'Leave out boundary to use cones',

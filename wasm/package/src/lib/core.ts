@@ -66,7 +66,7 @@ export class Core {
   readonly #platform: FileReader;
   #decoders: object = {};
 
-  /** Called during calls; returning false cancels the call. */
+  /** Called during calls; returning false cancels the call. It can neither use the model of the call nor free it. */
   onProgress: ((progress: Progress) => unknown) | undefined;
 
   private constructor(module: Module, platform: FileReader) {

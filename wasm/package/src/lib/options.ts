@@ -226,7 +226,7 @@ export interface WriteOptions {
   gridMaterial?: boolean | number;
   /** The uv set to write, replaced if it exists; by default the one after the last. */
   uvSet?: number;
-  /** File name of the result. */
+  /** File name of the result; by default that of the source, with the extension of what is written. */
   name?: string;
   /** Store the cones in the file, for use when it is loaded again. */
   embedCones?: boolean;

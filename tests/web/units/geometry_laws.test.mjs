@@ -93,6 +93,14 @@ test('the distance to seams is the shortest along edges', () => {
   }
   plain.forEach((far, v) => near(found[v], far, `vertex ${v}`, 1e-5));
   assert.ok(distanceToSeams(surface, [], own).every((far) => far === Infinity));
+  // Nearest first: each vertex is finished once, and looks along each of its edges.
+  let looks = 0;
+  const get = (list, key) => {
+    if (/^\d+$/.test(String(key))) looks += 1;
+    return list[key];
+  };
+  distanceToSeams({ ...surface, neighbours: new Proxy(neighbours, { get }) }, seams, own);
+  assert.equal(looks, neighbours.length);
 });
 
 test('the nearest vertex is that of a search among all, and none beyond the reach', () => {

@@ -393,7 +393,8 @@ class Mesh:
             convex_polygons=convex_polygons,
             symmetric=symmetric,
         )
-        made = self._core.parametrize(asked, options, flag(reproducible, "reproducible"), seconds(time_limit, "time_limit"), _caller(progress))
+        alike, limit = flag(reproducible, "reproducible"), seconds(time_limit, "time_limit")
+        made = self._core.parametrize(asked, options, alike, limit, _caller(progress))
         return Map(made)
 
     def verify(

@@ -172,7 +172,8 @@ def parametrize_file(
         weld, fix, strict, write_repairs, target=target, max_bytes=max_bytes, max_triangles=max_triangles
     )
     surface = _core.Surface.of_file(os.fspath(path), "" if root is None else os.fspath(root), loading)
-    made = surface.parametrize_file(asked, options, to, saving, flag(reproducible, "reproducible"), seconds(time_limit, "time_limit"), _caller(progress))
+    alike, limit = flag(reproducible, "reproducible"), seconds(time_limit, "time_limit")
+    made = surface.parametrize_file(asked, options, to, saving, alike, limit, _caller(progress))
     meshes = [
         MeshOutcome(mesh, certified, aligned, json.loads(report) if report else None, error)
         for mesh, certified, aligned, report, error in made["meshes"]

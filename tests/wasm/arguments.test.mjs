@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
+import { runInNewContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 import { bumpyDisk } from '../support/disk.mjs';
 import { readTables } from '../../wasm/options.mjs';
@@ -135,6 +136,10 @@ test('the core says in the thread that calls it what is wrong with cones, featur
     assert.throws(() => core.parametrizeFile(bad), { code: 'usage' });
     await assert.rejects(core.prepare(bad), { code: 'usage' });
   }
+  // Bytes of another realm, as those of Node's files are within a test runner.
+  const other = runInNewContext('Uint8Array.from(bytes)', { bytes: [...disk] });
+  assert.equal(other instanceof Uint8Array, false);
+  assert.equal(core.load(asFiles('disk.obj', other)).info.usable, true);
   for (const bad of [null, 5]) assert.throws(() => model.listFeatures({ rims: true }, bad), { code: 'usage' }); // prettier-ignore
   assert.equal(model.info.usable, true);
 });

@@ -73,9 +73,10 @@ export function takeFiles(
  */
 export function checkFiles(call: string, source: unknown): void {
   const { main, files } = (source ?? {}) as Partial<CoreFiles>;
-  const isOfBytes =
-    files instanceof Map &&
-    [...files.values()].every((bytes) => (bytes as unknown) instanceof Uint8Array);
+  // Not by their class: test runners give programs another Uint8Array than the one that files are read into.
+  const isBytes = (bytes: Uint8Array): boolean =>
+    ArrayBuffer.isView(bytes) && bytes.BYTES_PER_ELEMENT === 1;
+  const isOfBytes = files instanceof Map && [...files.values()].every(isBytes);
   if (typeof main !== 'string' || !isOfBytes)
     throw usage(`${call} takes { main, files }: a name, and a Map from names to Uint8Array`);
   if (!files.has(main)) throw usage(`${call}: files has no '${main}', which main names`);

@@ -96,6 +96,29 @@ test('trees for picking find what trees find that are built of the surface and o
     sameHits(bvhFrom(tree, flat), new MeshBVH(flat, { indirect: true }), down, 'map');
   }));
 
+test('of a map on the same mesh only the map is sent back, and of one on another mesh that mesh, too', () =>
+  withWorker(async (ask) => {
+    await ask('surface', 4, arrays(), facts, identity);
+    const mapOn = async (more) => {
+      const own = request();
+      const { result } = await ask('analyse', 7, 4, { ...own, map: { ...own.map, ...more } });
+      return [result.map.positions, result.map.triangles];
+    };
+    const { positions, triangles } = arrays();
+    assert.deepEqual(await mapOn({}), [undefined, undefined]);
+    // One coordinate is enough, wherever it is.
+    for (const i of [0, 1, 17, positions.length - 1]) {
+      const moved = positions.with(i, positions[i] + 1e-9);
+      assert.deepEqual(await mapOn({ positions: moved }), [moved, undefined]);
+    }
+    const [a, b, c] = triangles;
+    const turned = triangles.slice();
+    turned.set([b, c, a]);
+    const [same, other] = await mapOn({ triangles: turned });
+    assert.equal(same, undefined);
+    assert.deepEqual(other, turned);
+  }));
+
 test('answers are given away, and others do not depend on them', () =>
   withWorker(async (ask) => {
     const { result: surface, transfer } = await ask('surface', 2, arrays(), facts, identity);

@@ -1,11 +1,12 @@
 // Results that are kept between runs: what has changed, failed or was skipped runs again.
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import test, { after } from 'node:test';
-import { countCtest } from '../support/counts.mjs';
+import { countCtest, countNodeTest } from '../support/counts.mjs';
 import { contentOf, KeptResults, listingOf } from '../support/results.mjs';
 
 const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-results-'));
@@ -86,4 +87,20 @@ Required regular expression not found. Regex=[x]
   assert.equal(counts.tests.get('a').skipped, 1);
   assert.equal(counts.tests.get('b').failed, 1);
   assert.equal(counts.tests.get('d').failed, 1);
+});
+
+test('the note of a failed test of Node says why, and leaves out where and for how long it ran', () => {
+  const file = path.join(folder, 'fails.test.mjs');
+  writeFileSync(
+    file,
+    "import test from 'node:test'; test('odd', () => { throw Error('a\\nb'); });",
+  );
+  const own = { ...process.env };
+  delete own.NODE_TEST_CONTEXT; // or the inner runner reports to this one
+  const arguments_ = ['--test', '--test-reporter=tap', file];
+  const { stdout } = spawnSync(process.execPath, arguments_, { env: own, encoding: 'utf8' });
+  const { failed, notes } = countNodeTest(stdout);
+  assert.equal(failed, 1);
+  assert.equal(notes.length, 1);
+  assert.match(notes[0], /^not ok 1 - odd\n *---\n *error: \|-\n *a\n *b\n$/);
 });

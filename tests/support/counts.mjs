@@ -57,7 +57,8 @@ export function countNodeTest(tap) {
   for (const match of tap.matchAll(/^( *)not ok [\s\S]*?\n\1 {2}\.\.\.$/gm)) {
     counts.notes.push(
       match[0]
-        .replace(/^ *(stack|expected|actual|duration_ms|code|name|operator):[\s\S]*/m, '')
+        .replace(/^ *(duration_ms|location|failureType):.*\n/gm, '')
+        .replace(/^ *(stack|expected|actual|code|name|operator):[\s\S]*/m, '')
         .slice(0, 3000),
     );
   }

@@ -53,6 +53,7 @@ const cases = {
     {},
     { uvSet: 0, usesNewSet: true },
   ],
+  'a GLB that is named .obj': ['cube.obj', toGlb([cubeMesh(4)]), plain, {}],
   'a grid as the material': ['cube.glb', toGlb([cubeMesh(3)]), plain, {}, { gridTiles: 2.7182 }],
   'repairs chosen one by one': [
     'fin.obj',
@@ -103,7 +104,7 @@ for (const [what, [main, content, loaded, asked, written = {}, surface]] of Obje
     const inShell = command.replace(/^hgp /, `${program} `);
     const { status, stderr } = spawnSync('sh', ['-c', inShell], { cwd: folder, encoding: 'utf8' });
     assert.equal(status, 0, `${command}\n${stderr}`);
-    const name = `${main.replace(/\.[^.]*$/, '')}.mapped${path.extname(main)}`;
+    const name = `${main.replace(/\.[^.]*$/, '')}.mapped.${info.file.format}`;
     const bytes = readFileSync(path.join(folder, name));
     assert.ok(bytes.equals(file.bytes), `${command}: other bytes (${bytes.length})`);
   });

@@ -99,7 +99,7 @@ test('runs are counted between crossings', () => {
 });
 
 test('the command has features instead of cones', () => {
-  const model = { main: 'part.obj', loaded: { fix: {}, hasAllRepairs: true }, info: { surface: 0, surfaces: [{}], components: [{}] } }; // prettier-ignore
+  const model = { main: 'part.obj', loaded: { fix: {}, hasAllRepairs: true }, info: { surface: 0, surfaces: [{}], components: [{}], file: { format: 'obj' } } }; // prettier-ignore
   const prescription = { q: 4, cones: [{ vertex: 3, k: 3 }], turnings: [], handles: [] };
   const features = { ...noFeatures, hasRims: true, edges: [[0, 1]] };
   const options = { rounds: 12, scale: 'solved', gridMode: 'tile', features };

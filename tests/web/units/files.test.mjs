@@ -50,6 +50,18 @@ test('missing files that a glTF names are listed, and matched by name where fold
   assert.deepEqual(files.get('geo/a.bin'), bytes('a'));
 });
 
+test('a document that is named otherwise asks for its files all the same; an OBJ has none', async () => {
+  const json = new TextDecoder().decode(gltf({ buffers: [{ uri: 'b.bin' }] }));
+  for (const [text, names] of [
+    [json, ['b.bin']],
+    [`\ufeff \n${json}`, ['b.bin']],
+    ['v 0 0 0\n', []],
+  ]) {
+    const { missing } = await findMissing(new Map([['x.obj', bytes(text)]]), 'x.obj');
+    assert.deepEqual(missing.map(({ name }) => name), names); // prettier-ignore
+  }
+});
+
 test('a file that is not a glTF yields no JSON; the solver gives the reason', async () => {
   for (const [name, text] of [
     ['x.glb', ''],

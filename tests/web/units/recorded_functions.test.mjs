@@ -112,8 +112,8 @@ test('sentences', async () => {
     ...each('plain.obj', 'a b', "it's", '', '-x', 'a"b', '$x', 'ä.obj'),
   );
   const one = { index: 0, name: '', triangles: 1 };
-  const model = { main: 'a b.obj', info: { surface: 1, surfaces: [one, one], components: [] }, loaded: { fix: { orient: true, split: false }, weld: 0.1 } }; // prettier-ignore
-  const models = [model, { main: 'm.GLB', info: { ...model.info, surface: 0, surfaces: [one], components: [1, 2] }, loaded: { fix: {} } }, { ...model, loaded: { fix: {}, hasAllRepairs: true } }]; // prettier-ignore
+  const model = { main: 'a b.obj', info: { surface: 1, surfaces: [one, one], components: [], file: { format: 'obj' } }, loaded: { fix: { orient: true, split: false }, weld: 0.1 } }; // prettier-ignore
+  const models = [model, { main: 'm.GLB', info: { ...model.info, surface: 0, surfaces: [one], components: [1, 2], file: { format: 'glb' } }, loaded: { fix: {} } }, { ...model, loaded: { fix: {}, hasAllRepairs: true } }]; // prettier-ignore
   const prescription = {
     q: 4,
     cones: [{ vertex: 1, k: 3 }],

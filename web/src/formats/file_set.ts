@@ -2,7 +2,7 @@
 // files that are missing. Nothing is fetched.
 
 import type { Files, Missing } from '../model/types';
-import { gltfOf, isGltf, objectsIn, relativeName } from './glb';
+import { gltfOf, objectsIn, relativeName } from './glb';
 import { gunzip } from './gzip';
 import { unzip } from './zip';
 
@@ -96,7 +96,6 @@ export async function findMissing(
   files: Files,
   main: string,
 ): Promise<{ missing: Missing[]; refused: string[] }> {
-  if (!isGltf(main)) return { missing: [], refused: [] };
   const missing = new Map<string, Missing>();
   const refused: string[] = [];
   const folder = main.includes('/') ? main.slice(0, main.lastIndexOf('/') + 1) : '';

@@ -3,7 +3,8 @@
 
 import type { Files, OutputFile } from '../model/types';
 
-const magic = 0x46546c67;
+const magic = [...'glTF'].map((letter) => letter.charCodeAt(0));
+const isGlb = (bytes: Uint8Array): boolean => magic.every((code, i) => bytes[i] === code);
 
 export interface GlbChunks {
   json: Uint8Array;
@@ -14,9 +15,8 @@ export interface GlbChunks {
 
 /** Undefined if the bytes are not a GLB with a complete JSON chunk. */
 export function splitGlb(bytes: Uint8Array): GlbChunks | undefined {
-  if (bytes.length < 20) return undefined;
+  if (bytes.length < 20 || !isGlb(bytes)) return undefined;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (view.getUint32(0, true) !== magic) return undefined;
   const binAt = 20 + view.getUint32(12, true);
   if (binAt > bytes.length) return undefined;
   const json = bytes.subarray(20, binAt);
@@ -25,7 +25,12 @@ export function splitGlb(bytes: Uint8Array): GlbChunks | undefined {
   return { json, bin: bytes.subarray(binAt + 8, end), rest: bytes.subarray(end) };
 }
 
+/** Of a file that was written, whose name always tells. */
 export const isGltf = (name: string): boolean => /\.(glb|gltf)$/i.test(name);
+
+/** Of a file that was opened, whose name may be wrong: what the solver found in it. */
+export const isGltfModel = ({ info }: { info: { file: { format: string } } }): boolean =>
+  /^(glb|gltf)$/.test(info.file.format);
 
 export async function bytesOf(file: Blob | Uint8Array): Promise<Uint8Array> {
   return file instanceof Uint8Array ? file : new Uint8Array(await file.arrayBuffer());
@@ -41,9 +46,9 @@ export const objectsIn = (value: unknown): Json[] =>
   Array.isArray(value) ? value.map((one) => (isObject(one) ? one : {})) : [];
 
 /** The document of a .glb or .gltf; empty if it is invalid, since the solver reports why. */
-export function parseGltf({ name, bytes }: OutputFile): Json {
+export function parseGltf({ bytes }: Pick<OutputFile, 'bytes'>): Json {
   try {
-    const text = /\.glb$/i.test(name) ? (splitGlb(bytes)?.json ?? new Uint8Array(0)) : bytes;
+    const text = isGlb(bytes) ? (splitGlb(bytes)?.json ?? new Uint8Array(0)) : bytes;
     const json: unknown = JSON.parse(new TextDecoder().decode(text));
     return isObject(json) ? json : {};
   } catch {
@@ -79,22 +84,28 @@ export function relativeName(uri: string): string | undefined {
 const parsed = new WeakMap<Blob | Uint8Array, Promise<Json>>();
 const maxHead = 64 * 2 ** 20; // bytes at the beginning of a GLB that must contain its JSON
 
-/** The JSON chunk of a GLB with the header before it: the buffers behind it may be large and are not needed. */
-async function headOf(glb: Blob): Promise<Uint8Array> {
-  const start = await bytesOf(glb.slice(0, 20));
-  if (start.length < 20) return start;
-  const length = new DataView(start.buffer).getUint32(12, true);
-  return bytesOf(glb.slice(0, Math.min(20 + length, maxHead)));
+/**
+ * What of a file may be a document: of a GLB the JSON chunk with the header before it, since the buffers behind it may
+ * be large and are not needed; of a file whose first character begins an object, all; of others nothing.
+ */
+async function documentIn(file: Blob): Promise<Uint8Array> {
+  const start = await bytesOf(file.slice(0, 64));
+  if (isGlb(start) && start.length >= 20) {
+    const length = new DataView(start.buffer).getUint32(12, true);
+    return bytesOf(file.slice(0, Math.min(20 + length, maxHead)));
+  }
+  const text = new TextDecoder().decode(start); // without the mark of its byte order
+  return text.trimStart().startsWith('{') ? bytesOf(file) : new Uint8Array(0);
 }
 
-/** The same for a dropped file, which is read and parsed only once. */
+/** The same for a dropped file, whose name may be wrong, and which is read and parsed only once. */
 export function gltfOf(files: Files, name: string): Promise<Json> {
   const file = files.get(name);
-  if (!file || !isGltf(name)) return Promise.resolve({});
+  if (!file) return Promise.resolve({});
   let json = parsed.get(file);
   if (!json) {
-    const isLong = file instanceof Blob && /\.glb$/i.test(name);
-    json = (isLong ? headOf(file) : bytesOf(file)).then((bytes) => parseGltf({ name, bytes }));
+    const document = documentIn(file instanceof Blob ? file : new Blob([file as BlobPart]));
+    json = document.then((bytes) => parseGltf({ bytes }));
     parsed.set(file, json);
   }
   return json;

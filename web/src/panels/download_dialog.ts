@@ -8,6 +8,7 @@ import { perform } from '../actions/registry';
 import { rewrite } from '../actions/solve';
 import { downloadQuads, quadName, whyNoQuads } from '../actions/quads';
 import { formats, nameOf, type ExportSource, type Format } from '../formats/exports';
+import { isGltf, isGltfModel } from '../formats/glb';
 import { formatFor, setHint, targets, textureHint } from '../formats/targets';
 import { chosenSet, textureFate } from '../model/texture_fate';
 import { isAligned } from '../model/grid';
@@ -29,9 +30,9 @@ const isChecked = (event: Event): boolean => (event.target as HTMLInputElement).
 
 /** glTF: whether the textures of the file use the new coordinates or keep the old ones, or which set is replaced. */
 function setChooser(app: AppView, solution: Solution): TemplateResult | typeof nothing {
-  const { info } = app.doc.model!;
-  const sets = info.surfaces[info.surface]?.uvSets ?? [];
-  if (!/^(glb|gltf)$/.test(info.file.format) || sets.length === 0) return nothing;
+  const model = app.doc.model!;
+  const sets = model.info.surfaces[model.info.surface]?.uvSets ?? [];
+  if (!isGltfModel(model) || sets.length === 0) return nothing;
   const chosen = chosenSet(app.doc.pendingOutput ?? solution.output, solution);
   const set = (event: Event): void => {
     const value = valueOf(event);
@@ -97,7 +98,7 @@ function choices(app: AppView, solution: Solution): TemplateResult {
 function validation(app: AppView, solution: Solution): TemplateResult {
   const { doc } = app;
   const seen = doc.validation?.of === solution ? doc.validation : undefined;
-  const isIt = /\.(glb|gltf)$/i.test(solution.written.files[0].name);
+  const isIt = isGltf(solution.written.files[0].name);
   return html`<div class="validation">
     <button
       type="button"
@@ -186,11 +187,12 @@ function mainButton(app: AppView, source: ExportSource): TemplateResult {
 }
 
 /** The number of the set that is written; 0 for formats with one. */
-function writtenSet({ info }: Model, { uvSet }: Output): number {
+function writtenSet(model: Model, { uvSet }: Output): number {
+  const { info } = model;
   const sets = info.surfaces[info.surface]?.uvSets ?? [];
   let free = 0;
   while (sets.includes(free)) free += 1;
-  return /^(glb|gltf)$/.test(info.file.format) ? (uvSet ?? free) : 0;
+  return isGltfModel(model) ? (uvSet ?? free) : 0;
 }
 
 /** A sentence on the textures of the file, if it has some on a mesh with coordinates. */

@@ -5,7 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
 import type { ActionId } from '../actions/registry';
 import { choosePattern, setLook, sliderOf, tilesOf } from '../actions/view';
-import { isGltf } from '../formats/glb';
+import { isGltfModel } from '../formats/glb';
 import { hasSteps } from '../model/grid';
 import { overlays, patterns, type Overlay, type Pattern } from '../model/types';
 import { plural } from '../text/format';
@@ -133,7 +133,7 @@ class ViewToolbar extends Panel {
   #looks(): TemplateResult {
     const { app } = this;
     const { look, model, displayed } = app.doc;
-    const hasMaterials = model !== undefined && isGltf(model.main);
+    const hasMaterials = model !== undefined && isGltfModel(model);
     // The overlay of flips is offered only if there are any, or if it is already shown.
     const hasFlips = look.overlay === 'flips' || (displayed?.distortion.flipped.length ?? 0) > 0;
     return html`<label class="choice"

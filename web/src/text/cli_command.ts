@@ -1,5 +1,6 @@
 // The equivalent command line.
 
+import { isGltfModel } from '../formats/glb';
 import type { FeatureChoice } from '../model/features';
 import type { Prescription } from '../model/prescription';
 import type { GridSettings, Model, Output } from '../model/types';
@@ -34,7 +35,7 @@ function meshWords({ info, loaded }: CommandModel): string[] {
 
 /** The model, as far as the command depends on it. */
 export type CommandModel = Pick<Model, 'main' | 'loaded'> & {
-  info: Pick<Model['info'], 'surface' | 'surfaces' | 'components'>;
+  info: Pick<Model['info'], 'surface' | 'surfaces' | 'components' | 'file'>;
 };
 
 /** What was, or will be, requested of the solver besides the prescription. */
@@ -101,7 +102,7 @@ export function cliCommand(
 ): string {
   const { main, info } = model;
   const stem = main.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
-  const ending = /\.(glb|gltf)$/i.exec(main)?.[0] ?? '.obj';
+  const ending = isGltfModel(model) ? `.${info.file.format}` : '.obj';
   return [
     ...['hgp', 'param', quoted(main)],
     ...(options.features ? featureWords(options.features, stem) : coneWords(prescription, stem)),

@@ -10,7 +10,7 @@ import type { Model, QuadPreview, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import type { UiState } from '../model/ui_state';
 import type { GeometryClient } from '../services/geometry_client';
-import { isGltf } from '../formats/glb';
+import { isGltfModel } from '../formats/glb';
 import { cornersAtOnce } from './corner_geometry';
 import { disposeScene, loadGltfScene, type OwnScene } from './gltf_scene';
 import { isStale, lastConcerns, liveConcern, markersConcern } from './small_concerns';
@@ -260,7 +260,7 @@ export class ViewUpdates {
   #originalSource(): { key: unknown; isShown: boolean } | undefined {
     const { doc } = this.#in;
     const { model, displayed, look } = doc;
-    if (!model || !isGltf(model.main)) return undefined;
+    if (!model || !isGltfModel(model)) return undefined;
     if (look.pattern === 'material') return { key: displayed ?? model.files, isShown: true };
     const isSmall = model.info.triangles <= maxForMaterials;
     return isSmall ? { key: model.files, isShown: displayed === undefined } : undefined;

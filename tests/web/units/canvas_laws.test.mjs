@@ -311,7 +311,7 @@ test('the model of the start page is centred, fills its canvas, turns once in fo
     ['position', 'normal', 'uv'].forEach((name, i) => assert.deepEqual([...geometry.getAttribute(name).array], [...parts[i]], name)); // prettier-ignore
     assert.deepEqual([...geometry.index.array], [...corners]);
     assert.ok(geometry.getAttribute('tint').array.every((x) => x === 0), 'no colour but the pattern');
-    assert.deepEqual([material.uniforms.pattern.value, material.uniforms.scale.value, material.uniforms.lit.value], [9, 1, 1]); // prettier-ignore
+    assert.deepEqual([material.defines.PATTERN, material.uniforms.scale.value, material.uniforms.lit.value], [9, 1, 1]); // prettier-ignore
     const seen = () => {
       const mesh = scene.children[0];
       scene.updateMatrixWorld(true);

@@ -187,9 +187,8 @@ test('a new file is framed whole, and fitting then shows the open mesh alone', (
 test('a look without a map is plain; dimmed where the map is of earlier cones', () =>
   withCanvases(({ rest }) => {
     const { view, mapped, canvas } = viewOf(rest);
-    const { uniforms } = mapped.material;
-    const patterned = uniforms.pattern.value;
-    assert.ok(patterned > 0);
+    const { uniforms, defines } = mapped.material;
+    assert.ok(defines.PATTERN > 0);
     near(uniforms.scale.value * 2 * surface.diagonal, 24, 'tiles along the diagonal, where lengths are doubled'); // prettier-ignore
     view.setLook({ ...look, seams: 'off' }, 4, true, palette);
     assert.ok(uniforms.dim.value > 0.3 && uniforms.dim.value < 1);
@@ -208,7 +207,7 @@ test('a look without a map is plain; dimmed where the map is of earlier cones', 
     view.setLook(look, 4, false, palette);
     view.setModel(surface, undefined, alone);
     view.setLook(look, 4, false, palette);
-    assert.equal(uniforms.pattern.value, 0);
+    assert.equal(defines.PATTERN, 0);
     assert.equal(uniforms.dim.value, 0);
     assert.equal(uniforms.paper.value, palette.paper);
   }));
@@ -220,14 +219,14 @@ test('before and after share the picture at the wipe, and afterwards everything 
     view.setCrosses(new Float32Array(6), palette);
     rest();
     canvas.taken();
-    const [usual, pattern] = [markers.visible, mapped.material.uniforms.pattern];
-    assert.ok(usual && pattern.value > 0);
+    const pattern = () => mapped.material.defines.PATTERN;
+    assert.ok(markers.visible && pattern() > 0);
     const shown = () => [...marks.ofMap, markers, mapped].map((one) => one.visible);
-    const [whole, value] = [shown(), pattern.value];
+    const [whole, value] = [shown(), pattern()];
     const states = [];
     const { render } = view.renderer;
     view.renderer.render = (...all) => {
-      states.push([shown(), pattern.value]);
+      states.push([shown(), pattern()]);
       render.apply(view.renderer, all);
     };
     const drawn = () => {
@@ -245,7 +244,7 @@ test('before and after share the picture at the wipe, and afterwards everything 
       assert.deepEqual(boxes.at(-1), [0, 0, 600 * part, 400], 'before, left');
       assert.deepEqual(states[0], [whole, value]);
       assert.deepEqual(states[1], [[false, false, false, false, true], 0], 'the bare surface');
-      assert.deepEqual([shown(), pattern.value], [whole, value]);
+      assert.deepEqual([shown(), pattern()], [whole, value]);
       assert.equal(view.renderer.getScissorTest(), false);
     }
     // With its own materials, the model as it was takes the place of the surface.

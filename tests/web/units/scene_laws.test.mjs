@@ -96,7 +96,7 @@ test('the map of a mesh is on its corners, and one of another size is not shown'
   const parts = [part(0, [at(0)])];
   const { scene, show } = sceneOf(parts);
   const [{ geometry, material }] = scene.children;
-  const pattern = () => material.uniforms.pattern.value;
+  const pattern = () => material.defines.PATTERN;
   assert.equal(pattern(), 0);
   const map = mapOf();
   show({ maps: new Map([[0, map]]) });

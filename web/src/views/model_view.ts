@@ -33,6 +33,7 @@ import {
   setPattern,
   surfaceMaterial,
   type Palette,
+  withoutPattern,
 } from './pattern_material';
 import { QuadsView } from './quads_view';
 import { drawWhenUploaded } from './sliced_uploads';
@@ -236,18 +237,14 @@ export class ModelView extends CanvasView {
     renderer.render(scene, camera);
     const over = [...this.marks.ofMap, this.#markers];
     const wasVisible = over.map(({ visible }) => visible);
-    const { pattern } = this.#mesh.material.uniforms;
-    const usual: unknown = pattern.value;
     for (const thing of over) thing.visible = false;
-    pattern.value = 0;
     if (this.#ownOpen) {
       this.#ownOpen.visible = true;
       this.#mesh.visible = false;
     }
     renderer.setScissor(0, 0, split, height);
-    renderer.render(scene, camera);
+    withoutPattern(this.#mesh.material, () => renderer.render(scene, camera));
     over.forEach((thing, i) => (thing.visible = wasVisible[i]));
-    pattern.value = usual;
     this.#showOriginal();
     renderer.setScissorTest(false);
   }

@@ -35,7 +35,6 @@ in vec2 vUv;
 in vec3 vNormal;
 in vec3 vEye;
 in vec4 vTint;
-uniform int pattern;
 uniform int q;
 uniform float scale;
 uniform float repeat; // number of tiles after which a texture repeats
@@ -125,42 +124,46 @@ vec3 plaid(vec2 p) {
   return mix(colour, vec3(0.9), 0.4 * (e + f));
 }
 
+// A program for each pattern: where a program has them all, each pixel costs what all of them cost together, because
+// software, which draws for virtual machines and in remote sessions, takes every branch.
 vec3 shade(vec2 p) {
-  if (pattern == 2) { // grid: squares, or triangles for q = 3 and 6
-    float c;
-    if (q % 3 == 0) {
-      c = max(lines(p.y * 2.0 / s3, 0.04), max(lines(p.x - p.y / s3, 0.04), lines(p.x + p.y / s3, 0.04)));
-    } else {
-      c = max(lines(p.x, 0.05), lines(p.y, 0.05));
-    }
-    return mix(paper, ink, c);
+#if PATTERN == 2 // grid: squares, or triangles for q = 3 and 6
+  float c;
+  if (q % 3 == 0) {
+    c = max(lines(p.y * 2.0 / s3, 0.04), max(lines(p.x - p.y / s3, 0.04), lines(p.x + p.y / s3, 0.04)));
+  } else {
+    c = max(lines(p.x, 0.05), lines(p.y, 0.05));
   }
-  if (pattern == 3) { // centred on a square, which is invariant under quarter turns
-    float a = fold(p.x * 0.5), b = fold(p.y * 0.5);
-    return mix(second, ink, a + b - 2.0 * a * b);
-  }
-  if (pattern == 4) { // hexagons centred on a triangular lattice, stretched to fit squares if aligned
-    if (isAligned) p.y *= 0.5 * s3;
-    vec2 s = vec2(1.0, s3);
-    vec2 a = mod(p, s) - s * 0.5;
-    vec2 b = mod(p - s * 0.5, s) - s * 0.5;
-    vec2 h = abs(dot(a, a) < dot(b, b) ? a : b);
-    float d = 0.5 - max(h.x, h.x * 0.5 + h.y * s3 * 0.5);
-    float w = fwidth(p.x) + fwidth(p.y);
-    float c = 1.0 - smoothstep(0.05, 0.05 + w, d);
-    return mix(paper, ink, mix(c, 0.2, smoothstep(0.4, 1.0, w)));
-  }
-  if (pattern == 5) {
-    float d = length(fract(p) - 0.5);
-    float w = fwidth(p.x) + fwidth(p.y);
-    float ring = smoothstep(0.30 - w, 0.30, d) - smoothstep(0.40, 0.40 + w, d);
-    return mix(paper, ink, mix(ring, 0.22, smoothstep(0.4, 1.0, w)));
-  }
-  if (pattern == 6) return texture(image, vec2(p.x, p.y)).rgb;
-  if (pattern == 7) return brick(p);
-  if (pattern == 8) return wood(p);
-  if (pattern == 9) return plaid(p);
+  return mix(paper, ink, c);
+#elif PATTERN == 3 // centred on a square, which is invariant under quarter turns
+  float a = fold(p.x * 0.5), b = fold(p.y * 0.5);
+  return mix(second, ink, a + b - 2.0 * a * b);
+#elif PATTERN == 4 // hexagons centred on a triangular lattice, stretched to fit squares if aligned
+  if (isAligned) p.y *= 0.5 * s3;
+  vec2 s = vec2(1.0, s3);
+  vec2 a = mod(p, s) - s * 0.5;
+  vec2 b = mod(p - s * 0.5, s) - s * 0.5;
+  vec2 h = abs(dot(a, a) < dot(b, b) ? a : b);
+  float d = 0.5 - max(h.x, h.x * 0.5 + h.y * s3 * 0.5);
+  float w = fwidth(p.x) + fwidth(p.y);
+  float c = 1.0 - smoothstep(0.05, 0.05 + w, d);
+  return mix(paper, ink, mix(c, 0.2, smoothstep(0.4, 1.0, w)));
+#elif PATTERN == 5 // circles
+  float d = length(fract(p) - 0.5);
+  float w = fwidth(p.x) + fwidth(p.y);
+  float ring = smoothstep(0.30 - w, 0.30, d) - smoothstep(0.40, 0.40 + w, d);
+  return mix(paper, ink, mix(ring, 0.22, smoothstep(0.4, 1.0, w)));
+#elif PATTERN == 6
+  return texture(image, vec2(p.x, p.y)).rgb;
+#elif PATTERN == 7
+  return brick(p);
+#elif PATTERN == 8
+  return wood(p);
+#elif PATTERN == 9
+  return plaid(p);
+#else
   return paper;
+#endif
 }
 
 // As in studio_light.ts.
@@ -232,12 +235,12 @@ export function surfaceMaterial(isLit: boolean, toStudio = new Matrix3()): Shade
     fragmentShader: fragmentShader
       .replace('out vec4 colour;', 'layout(location = 0) out vec4 colour;')
       .replace('#include <colorspace_fragment>', 'colour = linearToOutputTexel(colour);'),
+    defines: { PATTERN: 0 },
     side: DoubleSide,
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
     uniforms: {
-      pattern: { value: 0 },
       q: { value: 4 },
       scale: { value: 1 },
       repeat: { value: 64 },
@@ -268,13 +271,27 @@ export interface PatternPlace {
   isAligned: boolean;
 }
 
+function choose(material: ShaderMaterial, number: number): void {
+  if (material.defines.PATTERN === number) return;
+  material.defines.PATTERN = number;
+  material.needsUpdate = true; // the program, which is kept where it was compiled before
+}
+
+/** Draws the bare surface with `draw`. */
+export function withoutPattern(material: ShaderMaterial, draw: () => void): void {
+  const usual = material.defines.PATTERN as number;
+  choose(material, 0);
+  draw();
+  choose(material, usual);
+}
+
 export function setPattern(
   material: ShaderMaterial,
   pattern: Pattern,
   { q, scale, isAligned }: PatternPlace,
 ): void {
   const { uniforms } = material;
-  uniforms.pattern.value = numbers[pattern];
+  choose(material, numbers[pattern]);
   uniforms.q.value = q;
   uniforms.scale.value = scale;
   uniforms.isAligned.value = isAligned;

@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, Color, Mesh, type Object3D } from 'thr
 import { ContactShadow } from './contact_shadow';
 import { Lines, Wire } from './lines';
 import { ConeMarkers } from './cone_markers';
-import { surfaceMaterial } from './pattern_material';
+import { setPattern, surfaceMaterial } from './pattern_material';
 
 export function oneOfEach(isLit: boolean): Object3D[] {
   const geometry = new BufferGeometry();
@@ -20,7 +20,10 @@ export function oneOfEach(isLit: boolean): Object3D[] {
   wire.set(geometry, new Color(0));
   const markers = new ConeMarkers(isLit);
   markers.show([{ at: [0, 0, 0], k: 1, q: 4, isSelected: false, isBad: false }]);
-  const all = [new Mesh(geometry, surfaceMaterial(isLit)), lines, wire, markers];
+  const mapped = surfaceMaterial(isLit);
+  setPattern(mapped, 'checker', { q: 4, scale: 1, isAligned: false });
+  const surfaces = [surfaceMaterial(isLit), mapped].map((one) => new Mesh(geometry, one));
+  const all = [...surfaces, lines, wire, markers];
   if (!isLit) return all;
   const shadow = new ContactShadow();
   shadow.show([0, 0, 0, 1, 0, 1]);

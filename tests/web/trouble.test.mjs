@@ -433,6 +433,8 @@ test('a file that is dropped while the solver is still on its way is opened when
   await page.reload({ waitUntil: 'commit' });
   // The first screen is there before the script that takes drops.
   await page.waitForFunction(() => customElements.get('hgp-status-bar'));
+  // The browser delivers no drag before it has painted.
+  await page.waitForFunction(() => performance.getEntriesByType('paint').length > 0);
   assert.equal(await page.evaluate(() => globalThis.listensFirst), true);
   await drop(it, { 'early.obj': toObj(cubeMesh(3)) });
   await statusSays(it, /still starting; early\.obj is opened then/);

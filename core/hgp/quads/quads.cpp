@@ -136,6 +136,7 @@ class Extraction {
   Status makeQuads() {
     std::vector<char> isDone(darts_.size(), 0);
     std::vector<char> hasBefore(darts_.size(), 0);
+    bool isWithoutCones = false;  // inside cells, as far as is known
     for (std::size_t d = 0; d < darts_.size(); ++d)
       if (const int next = nextAround(static_cast<int>(d)); next >= 0) hasBefore[hgp::at(next)] = 1;
     for (std::size_t first = 0; first < darts_.size(); ++first) {
@@ -144,8 +145,12 @@ class Extraction {
       int cell[4], count = 0;
       int d = static_cast<int>(first);
       for (; d >= 0 && count < 4; d = nextAround(d)) cell[count++] = d;
-      if (count < 4 || d != static_cast<int>(first)) {
-        if (d >= 0) return noQuads("a cell does not close after four edges: a cone is inside it");
+      if (d < 0) continue;
+      if (d != static_cast<int>(first) || cell[2] == cell[0]) {
+        if (!isWithoutCones && hasConeInside())
+          return noQuads("a cell does not close after four edges: a cone is inside it");
+        isWithoutCones = true;
+        leaveOut(static_cast<int>(first), isDone);
         continue;
       }
       for (int n : cell) isDone[hgp::at(n)] = 1;
@@ -153,6 +158,30 @@ class Extraction {
       out_.quads.push_back({nodeOf(cell[0]), nodeOf(cell[1]), nodeOf(cell[2]), nodeOf(cell[3])});
     }
     return Done{};
+  }
+
+  /// Whether a cone lies inside a cell.
+  bool hasConeInside() const {
+    for (VertexId v : mesh_.vertices()) {
+      if (points_.atVertex(v) >= 0 || mesh_.isBoundary(v)) continue;
+      int directions = 0;
+      for (HalfedgeId h : outgoingHalfedges(mesh_, v))
+        for (int d :
+             directionsBetween(lattice_, vectorOf(h), negative(vectorOf(TriMesh::previous(h)))))
+          directions += d >= 0;
+      if (directions != 4) return true;
+    }
+    return false;
+  }
+
+  /// A cell around a whole loop of the boundary, which turns by as much as the cell has more or fewer edges than four.
+  void leaveOut(int first, std::vector<char>& isDone) {
+    int d = first;
+    do {
+      isDone[hgp::at(d)] = 1;
+      d = nextAround(d);
+    } while (d >= 0 && d != first && !isDone[hgp::at(d)]);
+    if (d == first) ++out_.clipped;
   }
 
   /// Removes grid points that belong only to cells cut by the boundary.

@@ -187,6 +187,48 @@ TEST(Quads, BoundaryCellsAreLeftOutAndCounted) {
   EXPECT_EQ(count(*cut).vertices, 20);
 }
 
+TEST(Quads, CellsAroundAWholeRimAreLeftOutAndThoseAroundAConeRefused) {
+  // Two cells along each side of a cube, its corners in the middle of cells, which have three edges there. The sides
+  // lie on one another.
+  const test::Shape cube = test::cube(8);
+  const auto inCells = [](const TriMesh& mesh) {
+    std::vector<Vec2> corners;
+    for (FaceId f : mesh.faces()) {
+      const auto [a, b, c] = mesh.corners(f);
+      const Vec3 &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
+      std::size_t n = 0;
+      while (p[n] != q[n] || p[n] != r[n]) ++n;
+      std::size_t x = (n + 1) % 3, y = (n + 2) % 3;
+      if (p[n] < 0.5) std::swap(x, y);
+      for (const Vec3* each : {&p, &q, &r})
+        corners.push_back({2 * (*each)[x] + 0.5, 2 * (*each)[y] + 0.5});
+    }
+    return test::mapOfCorners(mesh, corners);
+  };
+  const TriMesh closed = cube.mesh();
+  const Result<QuadMesh> refused = extractQuads(closed, inCells(closed), 4);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("cone"), std::string::npos) << refused.error().message;
+
+  // Without a triangle at each corner there are rims instead, which turn as the cones did.
+  const auto isEnd = [](double x) { return std::abs(x) < 1e-9 || std::abs(x - 1) < 1e-9; };
+  std::set<int> corners;
+  std::vector<int> faces;
+  for (std::size_t f = 0; f < cube.data.triangles.size(); ++f)
+    for (int v : cube.data.triangles[f]) {
+      const Vec3& p = cube.data.positions[at(v)];
+      if (isEnd(p[0]) && isEnd(p[1]) && isEnd(p[2]) && corners.insert(v).second)
+        faces.push_back(static_cast<int>(f));
+    }
+  ASSERT_EQ(faces.size(), 8u);
+  const TriMesh open = test::withoutFaces(cube, faces).mesh();
+  const Result<QuadMesh> quads = extractQuads(open, inCells(open), 4);
+  ASSERT_TRUE(quads) << quads.error().message;
+  EXPECT_EQ(quads->quads.size(), 18u);
+  EXPECT_EQ(quads->clipped, 8);
+  EXPECT_EQ(count(*quads).open.size(), 24u);
+}
+
 TEST(Quads, MoreThanMemoryHoldsAreRefused) {
   const TriMesh mesh = test::torus(6, 5).mesh();
   UvMap map = test::flatTorusMap(6, 5);

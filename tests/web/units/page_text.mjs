@@ -134,7 +134,9 @@ function* objectLines(name, object) {
   }
   for (const one of material ? [material].flat() : []) {
     const flags = materialKeys.filter((key) => one[key] && !(key === 'toneMapped' || (key === 'opacity' && one[key] === 1))); // prettier-ignore
-    const uniforms = Object.entries(one.uniforms ?? {}).map(([key, { value }]) => `${key} ${uniformText(value)}`); // prettier-ignore
+    // Of a program of the page's own; what three.js defines for its materials says nothing of the page.
+    const defined = Object.entries((one.uniforms && one.defines) ?? {}).map(([key, value]) => `${key.toLowerCase()} ${value}`); // prettier-ignore
+    const uniforms = defined.concat(Object.entries(one.uniforms ?? {}).map(([key, { value }]) => `${key} ${uniformText(value)}`)); // prettier-ignore
     if (one.map) uniforms.push(`map ${textureText(one.map)}`);
     yield `${name} ${kind} material ${listed(one, flags)}; ${uniforms.join(', ')}`;
   }

@@ -11,7 +11,7 @@ import { replace } from '../../support/replaced.mjs';
 
 const turn = () => new Promise((resolve) => setTimeout(resolve, 2));
 const surfaceOf = (id, triangles = 2) => ({ id, diagonal: 2, triangles: new Uint32Array(3 * triangles) }); // prettier-ignore
-const modelOf = (id, more) => ({ main: 'a.obj', files: new Map(), matrix: [id], surface: surfaceOf(id, more), info: { surface: id, triangles: 2, usable: true } }); // prettier-ignore
+const modelOf = (id, more) => ({ main: 'a.obj', files: new Map(), matrix: [id], surface: surfaceOf(id, more), info: { surface: id, triangles: 2, usable: true, file: { format: 'obj' } } }); // prettier-ignore
 function solutionOf(id, { flipped = [], isGood = true, q = 4 } = {}) {
   const certificate = { certified: isGood, usable: true, flipped: 0, triangles: 2, wrongAngles: 0, wrongTurnings: 0, brokenSeams: 0, seamEdges: 0, integerSeams: 0, overlap: { share: 0, layers: 1 }, stored: { verified: 2, triangles: 2, negative: 0, zero: 0, reversed: 0, duplicates: 0, zeroArea: 0, splitVertices: 0 }, components: [{ orientation: {}, distortion: {} }], q, precision: 'float32', maxConeDistance: 0, maxSeamResidual: 0, seamTolerance: 1 }; // prettier-ignore
   return { id, prescription: { q, cones: [] }, cornerUv: new Float32Array(6).fill(id), isSameAsFile: true, difference: '', written: { bytes: new Uint8Array(9) }, smallestArea: { area: 1, mean: 1, smallestPositive: 1, triangle: 0, negative: 0, zero: 0 }, distortion: { flipped: new Uint32Array(flipped), scale: { mean: 1 }, meanScale: 1 }, seams: [], chains: new Uint32Array(0), result: { certificate, report: { components: [{}], seconds: 1 } } }; // prettier-ignore
@@ -315,7 +315,8 @@ test('beside the open mesh every other one has its last map, in a pattern that i
 test('materials that cannot be read are told of where they were asked for; elsewhere the shape is shown without them', async (t) => {
   replace(t, 'self', globalThis);
   replace(t, 'ProgressEvent', globalThis.ProgressEvent ?? class extends Event {});
-  const file = (text) => ({ ...modelOf(1), main: 'a.gltf', files: new Map([['a.gltf', new Blob([text])]]) }); // prettier-ignore
+  const info = { surface: 1, triangles: 2, usable: true, file: { format: 'gltf' } };
+  const file = (text) => ({ ...modelOf(1), info, main: 'a.gltf', files: new Map([['a.gltf', new Blob([text])]]) }); // prettier-ignore
   const { json, bin } = toGltf([cubeMesh(1)]);
   json.buffers[0].uri = `data:application/octet-stream;base64,${Buffer.from(bin).toString('base64')}`; // prettier-ignore
   const good = JSON.stringify(json);
@@ -332,7 +333,7 @@ test('materials that cannot be read are told of where they were asked for; elsew
   }
   // Before there is a map they are shown of a model that is not large, afterwards where they are asked for.
   const isShown = async (members, triangles = 2) => {
-    const model = { ...file(good), info: { surface: 0, triangles, usable: true } };
+    const model = { ...file(good), info: { ...info, surface: 0, triangles } };
     const one = updated(t, { doc: { model, parts: [{ mesh: 0, matrices: [] }], ...members } });
     await one.settled();
     const [scene, mesh, shown] = one.named('model.setOriginal').at(-1);

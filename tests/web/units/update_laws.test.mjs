@@ -284,6 +284,21 @@ test('updates that take long are made in several tasks, none left out and none t
   assert.deepEqual(names(quick.calls), names(all.calls));
 });
 
+test('no task of updates takes longer than a frame when each of its steps is short', async (t) => {
+  let clock = 0;
+  t.mock.method(performance, 'now', () => clock);
+  const members = { model: modelOf(1), displayed: solutionOf(1), look: { ...look, pattern: 'cross' } }; // prettier-ignore
+  const one = updated(t, { doc: members, act: () => void (clock += 1) });
+  let longest = 0;
+  for (let i = 0; i < 200 && 'pending' in one.body.dataset; i++) {
+    const begin = clock;
+    await new Promise((resolve) => setTimeout(resolve));
+    longest = Math.max(longest, clock - begin);
+  }
+  assert.ok(clock > 1000 / 60, 'all of them take longer');
+  assert.ok(longest <= 1000 / 60, `${longest} milliseconds`);
+});
+
 test('beside the open mesh every other one has its last map, in a pattern that it can have', async (t) => {
   const [a, b, c] = [solutionOf(1), solutionOf(2, { isGood: false, q: 6 }), solutionOf(3)];
   const meshes = new Map([[7, { model: modelOf(7), solutions: [a, b] }], [8, { model: modelOf(8), solutions: [] }]]); // prettier-ignore

@@ -3,7 +3,7 @@
 
 import type { Files, OutputFile } from '../model/types';
 
-const magic = [...'glTF'].map((letter) => letter.charCodeAt(0));
+const magic = new TextEncoder().encode('glTF');
 const isGlb = (bytes: Uint8Array): boolean => magic.every((code, i) => bytes[i] === code);
 
 export interface GlbChunks {

@@ -55,6 +55,7 @@ test('a document that is named otherwise asks for its files all the same; an OBJ
   for (const [text, names] of [
     [json, ['b.bin']],
     [`\ufeff \n${json}`, ['b.bin']],
+    [json.replace('{', '{"Title":"",'), ['b.bin']], // one letter is where a GLB has it
     ['v 0 0 0\n', []],
   ]) {
     const { missing } = await findMissing(new Map([['x.obj', bytes(text)]]), 'x.obj');

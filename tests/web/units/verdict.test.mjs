@@ -313,3 +313,15 @@ test('each thing that is wrong fails its row and the verdict, in any company; wh
   }
   assert.equal(made.size, Object.keys(wrong).length + 1);
 });
+
+test('how many seams are exact is a row only where it was counted and there are seams', () => {
+  const rowsFor = (part) => {
+    const solution = solutionOf(square());
+    solution.result.certificate = { ...certificate, ...part };
+    return verdictRows(solution).filter(({ name }) => /Exact seams|Lines meet/.test(name)).length;
+  };
+  assert.equal(rowsFor({ exactSeams: 2, seamEdges: 3 }), 2);
+  assert.equal(rowsFor({ exactSeams: 0, seamEdges: 3 }), 2);
+  for (const exactSeams of [null, undefined]) assert.equal(rowsFor({ exactSeams, seamEdges: 3 }), 0); // prettier-ignore
+  assert.equal(rowsFor({ exactSeams: 0, seamEdges: 0 }), 0);
+});

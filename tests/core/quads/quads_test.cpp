@@ -229,6 +229,53 @@ TEST(Quads, CellsAroundAWholeRimAreLeftOutAndThoseAroundAConeRefused) {
   EXPECT_EQ(count(*quads).open.size(), 24u);
 }
 
+TEST(Quads, CellsWithTwoEdgesAreLeftOut) {
+  // Two squares, one behind the other, joined along their sides: half a turn at each corner, in the middle of a cell.
+  constexpr int kSide = 8;
+  test::Shape shape{"pillow", {}, 0, 0};
+  MeshData& data = shape.data;
+  std::map<std::array<int, 3>, int> names;
+  const auto vertex = [&](int x, int y, int side) {
+    const bool isRim = x == 0 || y == 0 || x == kSide || y == kSide;
+    const int z = isRim ? 0 : side;
+    const auto [it, isNew] = names.try_emplace({x, y, z}, static_cast<int>(names.size()));
+    if (isNew) data.positions.push_back({x / 8.0, y / 8.0, z / 8.0});
+    return it->second;
+  };
+  std::vector<Vec2> uv;
+  std::set<int> corners;  // without a triangle each
+  const auto add = [&](std::array<std::array<int, 2>, 3> at, int side) {
+    if (side < 0) std::swap(at[1], at[2]);
+    std::array<int, 3> triangle{};
+    bool isFirst = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [x, y] = at[k];
+      triangle[k] = vertex(x, y, side);
+      const bool isCorner = x % kSide == 0 && y % kSide == 0;
+      isFirst = isFirst || (isCorner && corners.insert(triangle[k]).second);
+    }
+    if (isFirst) return;
+    data.triangles.push_back(triangle);
+    for (const auto& [x, y] : at)
+      uv.push_back(side > 0 ? Vec2{x / 4.0 + 0.5, y / 4.0 + 0.5}
+                            : Vec2{y / 4.0 + 0.5, x / 4.0 + 0.5});
+  };
+  for (int side : {1, -1})
+    for (int x = 0; x < kSide; ++x)
+      for (int y = 0; y < kSide; ++y) {
+        // No diagonal joins two sides, which both squares would have.
+        const bool isFalling = x + y == kSide - 1;
+        add({{{x, y}, {x + 1, y}, {isFalling ? x : x + 1, y + 1}}}, side);
+        add({{{isFalling ? x + 1 : x, y}, {x + 1, y + 1}, {x, y + 1}}}, side);
+      }
+  ASSERT_EQ(corners.size(), 4u);
+  const TriMesh mesh = test::meshOf(data);
+  const Result<QuadMesh> quads = extractQuads(mesh, test::mapOfCorners(mesh, uv), 4);
+  ASSERT_TRUE(quads) << quads.error().message;
+  EXPECT_EQ(quads->quads.size(), 6u);
+  EXPECT_EQ(quads->clipped, 4);
+}
+
 TEST(Quads, MoreThanMemoryHoldsAreRefused) {
   const TriMesh mesh = test::torus(6, 5).mesh();
   UvMap map = test::flatTorusMap(6, 5);

@@ -104,8 +104,8 @@ export function gltfOf(files: Files, name: string): Promise<Json> {
   if (!file) return Promise.resolve({});
   let json = parsed.get(file);
   if (!json) {
-    const document = documentIn(file instanceof Blob ? file : new Blob([file as BlobPart]));
-    json = document.then((bytes) => parseGltf({ bytes }));
+    const bytes = documentIn(file instanceof Blob ? file : new Blob([file as BlobPart]));
+    json = bytes.then((all) => parseGltf({ bytes: all }));
     parsed.set(file, json);
   }
   return json;

@@ -17,6 +17,7 @@ export function cubeSurface(id = 1) {
   const surface = { id, ...locatedSurface(arrays, facts) };
   surface.places = surface.positions;
   surface.packedNormals = Int8Array.from({ length: 4 * surface.vertexCount }, (_, i) => (i % 4 === 3 ? 0 : Math.round(127 * surface.normals[3 * Math.floor(i / 4) + (i % 4)]))); // prettier-ignore
+  Object.assign(surface, { creaseCorners: new Uint32Array(0), creaseNormals: new Int8Array(0) });
   return surface;
 }
 

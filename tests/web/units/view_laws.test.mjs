@@ -45,6 +45,9 @@ const surface = {
 };
 surface.places = surface.positions;
 surface.packedNormals = Int8Array.from({ length: 4 * surface.vertexCount }, (_, i) => (i % 4 === 3 ? 0 : i)); // prettier-ignore
+// Corners at a crease, among them the first and the last, and neighbours that slices may separate.
+surface.creaseCorners = Uint32Array.of(0, 1, 2, 24, 25, 50, surface.triangles.length - 1);
+surface.creaseNormals = Int8Array.from({ length: 28 }, (_, i) => 100 - i);
 const corners = surface.triangles.length;
 
 const flatTriangle = () =>
@@ -305,6 +308,36 @@ test('markers: a rim and a dark line around all; around the selected one the lin
   assert.deepEqual(strokesOf(true), ['stroke', 'fill', 'stroke']);
 });
 
+test('quads: a bend of 20 degrees is smooth, one of 60 is sharp', () => {
+  for (const [degrees, isSharp] of [
+    [20, false],
+    [60, true],
+  ]) {
+    const [x, z] = [Math.cos, Math.sin].map((f) => f((degrees / 180) * Math.PI));
+    const p = [-1, 0, 0, 0, 0, 0, x, 0, z, -1, 1, 0, 0, 1, 0, x, 1, z];
+    const shape = {
+      positions: Float64Array.from(p),
+      quads: Uint32Array.of(0, 1, 4, 3, 1, 2, 5, 4),
+    };
+    const view = new QuadsView({ elements: [1, 0, 0, 0, 1, 0, 0, 0, 1] });
+    view.show(shape, new Matrix4().elements, { paper: new Color(), ink: new Color(), second: new Color() }); // prettier-ignore
+    const normal = view.children[0].geometry.getAttribute('normal').array;
+    const tilt = (c) => (Math.asin(-normal[3 * c]) * 180) / Math.PI;
+    // Halves are the corners 0 1 2 and 0 2 3 of each quad; the quads share an edge.
+    for (const c of [0, 3, 5]) near(tilt(c), 0, `${degrees}: far from the bend`);
+    for (const c of [7, 8, 10]) near(tilt(c), degrees, `${degrees}: far from the bend`);
+    for (const [one, other] of [
+      [1, 6],
+      [2, 11],
+      [4, 11],
+    ]) {
+      if (isSharp) [[one, 0], [other, degrees]].forEach(([c, at]) => near(tilt(c), at, 'flat')); // prettier-ignore
+      else near(tilt(one), tilt(other), 'smooth');
+      assert.ok(isSharp || (tilt(one) > 0 && tilt(one) < degrees));
+    }
+  }
+});
+
 test('quads: two triangles each, every edge once, folded ones pink, markers where not four edges meet', () => {
   // A box of six quads, one of them with a corner turned over.
   const p = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [i & 1, (i >> 1) & 1, i >> 2]);
@@ -324,8 +357,11 @@ test('quads: two triangles each, every edge once, folded ones pink, markers wher
     const at = [...position.array.subarray(3 * c, 3 * c + 3)];
     const n = [...normal.array.subarray(3 * c, 3 * c + 3)];
     near(Math.hypot(...n), 1, 'normal');
-    // The normal of a corner of the box points away from its centre.
-    at.forEach((x, i) => assert.ok((x - 0.5) * n[i] > 0, `corner ${c}`));
+    // Faces of a box are flat, and their normals point away from its centre.
+    const axis = n.findIndex((x) => Math.abs(x) > 0.999);
+    assert.ok((at[axis] - 0.5) * n[axis] > 0, `corner ${c}`);
+    const [first] = [...position.array.subarray(18 * Math.floor(c / 6), 18 * Math.floor(c / 6) + 3)].slice(axis); // prettier-ignore
+    assert.equal(at[axis], first, `corner ${c}: its face is across its normal`);
     assert.equal(tint.array[4 * c + 3], 0, 'nothing is folded');
   }
   const area = (c) => {
@@ -463,7 +499,9 @@ test('positions and normals of corners are made only for the card, slice by slic
     const normals = new Int8Array(whole(normal, bytesAtOnce));
     surface.triangles.forEach((v, c) => {
       assert.deepEqual([...at.subarray(3 * c, 3 * c + 3)], mesh.vertices[v].map(Math.fround));
-      assert.deepEqual(normals.slice(4 * c, 4 * c + 4), surface.packedNormals.slice(4 * v, 4 * v + 4)); // prettier-ignore
+      const own = surface.creaseCorners.indexOf(c);
+      const [from, i] = own < 0 ? [surface.packedNormals, v] : [surface.creaseNormals, own];
+      assert.deepEqual(normals.slice(4 * c, 4 * c + 4), from.slice(4 * i, 4 * i + 4));
     });
   }
 });

@@ -51,6 +51,10 @@ export interface Surface extends SurfaceFacts {
   radius: number;
   /** Four bytes per vertex, 127 for 1: more would take longer to upload to the graphics card. */
   packedNormals: Int8Array;
+  /** Corners at creases, ascending, whose normals are not those of their vertices, */
+  creaseCorners: Uint32Array;
+  /** and theirs, four bytes each. */
+  creaseNormals: Int8Array;
 }
 
 export interface LoadSettings {

@@ -9,6 +9,7 @@ import type { SerializedBvh } from '../model/scene';
 import type { Analysis, OutputFile, Surface } from '../model/types';
 import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
 import { analyse, compareWithFile, urisOf, type FaceValues } from './geometry/analyse';
+import { creaseNormals } from './geometry/crease_normals';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
 import { flatPositions } from './geometry/flat_positions';
 import { loopSegments } from './geometry/handle_loops';
@@ -16,7 +17,13 @@ import { Mirror } from './geometry/mirror_plane';
 import { overlayColours } from './geometry/overlay_colours';
 import { poissonSamples, spacingOf, type Sample } from './geometry/poisson_samples';
 import { buffersIn, type GeometryCalls, type GeometryMessage } from './geometry/protocol';
-import { locatedSurface, movedBy, normalsOf, placed } from './geometry/placed_surface';
+import {
+  locatedSurface,
+  movedBy,
+  normalsOf,
+  placed,
+  type SurfaceArrays,
+} from './geometry/placed_surface';
 import { drawThumbnail } from './geometry/thumbnail';
 
 interface KnownMap {
@@ -102,9 +109,26 @@ function packed(normals: Float32Array): Int8Array {
   return out;
 }
 
-function packedAtCorners(normals: Float32Array, triangles: Uint32Array): Int8Array {
+/** Normals along creases, packed. */
+function creasesOf(
+  { positions, triangles, repaired }: SurfaceArrays,
+  normals: Float32Array,
+): Pick<Surface, 'creaseCorners' | 'creaseNormals'> {
+  const shaded = { positions, triangles, normals, joined: repaired?.vertexImage };
+  const found = creaseNormals(shaded);
+  return { creaseCorners: found.corners, creaseNormals: packed(found.normals) };
+}
+
+/** Four bytes for each corner. */
+function packedAtCorners(arrays: SurfaceArrays): Int8Array {
+  const { triangles } = arrays;
+  const normals = normalsOf(arrays);
   const atVertices = new Int32Array(packed(normals).buffer);
-  return new Int8Array(Int32Array.from(triangles, (v) => atVertices[v]).buffer);
+  const words = Int32Array.from(triangles, (v) => atVertices[v]);
+  const { creaseCorners, creaseNormals } = creasesOf(arrays, normals);
+  const own = new Int32Array(creaseNormals.buffer);
+  creaseCorners.forEach((c, i) => (words[c] = own[i]));
+  return new Int8Array(words.buffer);
 }
 
 const samplesOn = ({ places: positions, triangles }: Kept, spacing: number): Sample[] =>
@@ -139,7 +163,8 @@ const calls: GeometryCalls = {
   surface(id, arrays, facts, matrix) {
     const own = placed(locatedSurface(arrays, facts), matrix);
     surfaces.set(id, kept(own));
-    return { id, ...own, packedNormals: packed(own.normals) };
+    const creases = creasesOf({ ...arrays, positions: own.places }, own.normals);
+    return { id, ...own, packedNormals: packed(own.normals), ...creases };
   },
   async analyse(id, surface, request) {
     const { files } = request;
@@ -198,7 +223,7 @@ const calls: GeometryCalls = {
     const { positions, triangles } = arrays;
     const seen = cornersOf(movedBy(matrix, positions), triangles);
     const cornerPositions = cornersOf(positions, triangles);
-    const cornerNormals = packedAtCorners(normalsOf(arrays), triangles);
+    const cornerNormals = packedAtCorners(arrays);
     const shape = { cornerPositions, cornerNormals, tree: bvhOf(cornerPositions) };
     return { picture: drawThumbnail({ cornerPositions: seen }), shape };
   },

@@ -15,9 +15,9 @@ export function surfaceGeometry(
   same?: BufferGeometry,
 ): BufferGeometry {
   const geometry = new BufferGeometry();
-  const { places, packedNormals, triangles } = surface;
+  const { places, triangles } = surface;
   const position = same?.getAttribute('position') ?? cornerPositions(places, triangles);
-  const normal = same?.getAttribute('normal') ?? cornerNormals(packedNormals, triangles);
+  const normal = same?.getAttribute('normal') ?? cornerNormals(surface);
   same?.deleteAttribute('position').deleteAttribute('normal');
   geometry.setAttribute('position', position).setAttribute('normal', normal);
   geometry.boundingSphere = new Sphere(new Vector3(...surface.center), surface.radius);

@@ -2,6 +2,7 @@
 // by slice, while they are uploaded. At a million triangles, the positions of all corners are 36 MB.
 
 import { BufferAttribute } from 'three';
+import type { Surface } from '../model/types';
 
 /** Elements `first` to `last` − 1, gathered. */
 type Gather = (first: number, last: number) => ArrayBufferView;
@@ -64,12 +65,32 @@ export function cornerPositions(places: Float64Array, triangles: Uint32Array): B
   return new GatheredAttribute(new Float32Array(0), { count: triangles.length, itemSize: 3, gather }); // prettier-ignore
 }
 
-/** Four bytes at each corner, from four bytes at each vertex. */
-export function cornerNormals(packed: Int8Array, triangles: Uint32Array): BufferAttribute {
-  const words = new Int32Array(packed.buffer, packed.byteOffset, packed.length / 4);
+const wordsOf = (bytes: Int8Array): Int32Array =>
+  new Int32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
+
+/** The place of the first of ascending values that is not less than `value`. */
+function lowerBound(ascending: Uint32Array, value: number): number {
+  let low = 0;
+  let high = ascending.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (ascending[middle] < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+type Normals = Pick<Surface, 'packedNormals' | 'triangles' | 'creaseCorners' | 'creaseNormals'>;
+
+/** Four bytes at each corner: those of its vertex, or its own along a crease. */
+export function cornerNormals(surface: Normals): BufferAttribute {
+  const { triangles, creaseCorners } = surface;
+  const [words, own] = [wordsOf(surface.packedNormals), wordsOf(surface.creaseNormals)];
   const gather: Gather = (first, last) => {
     const out = new Int32Array(room(4 * (last - first)), 0, last - first);
     for (let c = first; c < last; c++) out[c - first] = words[triangles[c]];
+    const end = lowerBound(creaseCorners, last);
+    for (let i = lowerBound(creaseCorners, first); i < end; i++) out[creaseCorners[i] - first] = own[i]; // prettier-ignore
     return out;
   };
   return new GatheredAttribute(new Int8Array(0), { count: triangles.length, itemSize: 4, gather });

@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { splitGlb, surfaceMeshes, type Json } from '../formats/glb';
 import type { Files, OutputFile } from '../model/types';
+import { creaseAngle } from '../services/geometry/crease_normals';
 import { ballAround } from './ball';
 
 interface Source {
@@ -138,7 +139,6 @@ function atRest(object: Object3D, matrix: Matrix4): OwnInstance {
   return instance;
 }
 
-const crease = Math.PI / 5; // a larger angle between triangles is shown as an edge
 const maxForCreases = 60_000; // triangles: finding creases in more of them would block the page
 
 /** Gives meshes without normals smooth ones: glTF prescribes flat triangles, which hide the shape. */
@@ -149,7 +149,7 @@ async function smooth(group: Object3D): Promise<void> {
     if (!mesh.isMesh || mesh.geometry.attributes.normal) return;
     const { geometry } = mesh;
     const corners = geometry.index?.count ?? geometry.attributes.position.count;
-    if (corners / 3 <= maxForCreases) mesh.geometry = toCreasedNormals(geometry, crease);
+    if (corners / 3 <= maxForCreases) mesh.geometry = toCreasedNormals(geometry, creaseAngle);
     else geometry.computeVertexNormals();
     for (const one of [mesh.material].flat()) one.flatShading = false;
   });

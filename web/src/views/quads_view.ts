@@ -10,10 +10,14 @@ import {
   type ShaderMaterial,
 } from 'three';
 import { bendOf, valencesOf, type QuadShape } from '../model/quad_shape';
+import { creaseNormals } from '../services/geometry/crease_normals';
+import { normalsOf } from '../services/geometry/placed_surface';
 import { ConeMarkers } from './cone_markers';
 import { Lines } from './lines';
 import { setPalette, surfaceMaterial, type Palette } from './pattern_material';
 
+/** The corners of the two triangles as which a quad is drawn. */
+const halves = [0, 1, 2, 0, 2, 3];
 const folded = [255, 45, 149, 255]; // as outlines
 
 export class QuadsView extends Group {
@@ -50,29 +54,14 @@ export class QuadsView extends Group {
   #take(shape: QuadShape): void {
     this.#shape = shape;
     const { positions: p, quads } = shape;
-    const faces = quads.length / 4;
-    const normals = new Float64Array(p.length);
-    const position = new Float32Array(18 * faces);
-    const normal = new Float32Array(18 * faces);
-    const tint = new Uint8Array(24 * faces);
-    const bends = Array.from({ length: faces }, (_, f) => bendOf(shape, f));
-    bends.forEach((bend, f) => {
-      for (let k = 0; k < 4; k++)
-        for (let i = 0; i < 3; i++) normals[3 * quads[4 * f + k] + i] += bend.normal[i];
-    });
-    let at = 0;
-    bends.forEach(({ isFolded }, f) => {
-      for (const k of [0, 1, 2, 0, 2, 3]) {
-        const v = 3 * quads[4 * f + k];
-        const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]) || 1;
-        for (let i = 0; i < 3; i++) {
-          position[3 * at + i] = p[v + i];
-          normal[3 * at + i] = normals[v + i] / length;
-        }
-        if (isFolded) tint.set(folded, 4 * at);
-        at += 1;
-      }
-    });
+    const triangles = new Uint32Array((quads.length / 4) * 6);
+    const tint = new Uint8Array(4 * triangles.length);
+    for (let f = 0; f < quads.length / 4; f++) {
+      halves.forEach((k, i) => (triangles[6 * f + i] = quads[4 * f + k]));
+      if (bendOf(shape, f).isFolded) halves.forEach((_, i) => tint.set(folded, 4 * (6 * f + i)));
+    }
+    const position = Float32Array.from({ length: 3 * triangles.length }, (_, i) => p[3 * triangles[Math.floor(i / 3)] + (i % 3)]); // prettier-ignore
+    const normal = normalsAtCorners(p, triangles);
     this.#mesh.geometry.dispose();
     this.#mesh.geometry = new BufferGeometry();
     this.#mesh.geometry.setAttribute('position', new BufferAttribute(position, 3));
@@ -87,6 +76,16 @@ export class QuadsView extends Group {
       })),
     );
   }
+}
+
+/** Smooth, but for creases. */
+function normalsAtCorners(positions: Float64Array, triangles: Uint32Array): Float32Array {
+  const normals = normalsOf({ positions, triangles });
+  const creases = creaseNormals({ positions, triangles, normals });
+  const out = new Float32Array(3 * triangles.length);
+  triangles.forEach((v, c) => out.set(normals.subarray(3 * v, 3 * v + 3), 3 * c));
+  creases.corners.forEach((c, i) => out.set(creases.normals.subarray(3 * i, 3 * i + 3), 3 * c));
+  return out;
 }
 
 /** The sides of all quads, each once. */

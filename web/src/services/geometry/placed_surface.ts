@@ -9,7 +9,10 @@ import { areaVector } from './triangle';
 export type SurfaceArrays = Arrays;
 
 /** The surface in the coordinates of its mesh. */
-type Located = Omit<Surface, 'id' | 'places' | 'isMirrored' | 'packedNormals'>;
+type Located = Omit<
+  Surface,
+  'id' | 'places' | 'isMirrored' | 'packedNormals' | 'creaseCorners' | 'creaseNormals'
+>;
 
 /** Vertex normals: area-weighted means over the triangles at each vertex. */
 function vertexNormals(p: Float64Array, triangles: Uint32Array): Float32Array {

@@ -455,6 +455,51 @@ test(
   },
 );
 
+/** A cube with sharp edges, or a ball. */
+function box(n, far = (v) => Math.max(...v.map(Math.abs))) {
+  const { vertices, triangles } = cubeMesh(n);
+  return { vertices: vertices.map((v) => v.map((x) => x / far(v))), triangles };
+}
+const ball = (n) => box(n, (v) => Math.hypot(...v));
+
+test('long creases are offered, and lines follow them in a quad mesh', { skip }, async (t) => {
+  const app = await pageWith(t, { 'ball.obj': toObj(ball(6)) });
+  const { doc, ui } = app;
+  ui.setAutomatic(false);
+  const hint = () => textOf($('hgp-features-panel small'));
+  const quads = () => click('[data-preset="quads"]');
+  assert.doesNotMatch(hint(), /crease/, 'there are none');
+  await quads();
+  assert.equal(doc.features, undefined);
+  await openFiles(app, { 'short.obj': toObj(box(3)) });
+  await click('[data-preset="tiling"]');
+  assert.doesNotMatch(hint(), /crease/, 'three edges each');
+  await openFiles(app, { 'box.obj': toObj(box(6)) });
+  assert.match(hint(), /^This model has 12 long creases\. These edges/);
+  await quads();
+  await until(() => doc.features?.edges.length === 72);
+  assert.equal(doc.current, undefined, 'nothing was run before');
+  assert.doesNotMatch(hint(), /12/, 'they are chosen');
+  await click('#features-clear');
+  await click('[data-preset="tiling"]');
+  await runNow(app);
+  assert.equal(doc.current.features, undefined);
+  await quads();
+  await until(() => !doc.isBusy && doc.current?.features);
+  const { certificate } = doc.current.result;
+  assert.equal(certificate.certified, true);
+  assert.equal(doc.solve.grid.mode, 'quad');
+  assert.equal(certificate.features.straightChains, 12);
+  // Lines that were chosen otherwise stay as they are.
+  await click('#features-clear');
+  const { noFeatures } = await import('../../../web/src/model/features.ts');
+  doc.features = { ...noFeatures, isSymmetric: true };
+  const own = doc.features;
+  await quads();
+  await until(() => !doc.isBusy);
+  assert.equal(doc.features, own);
+});
+
 test('the quads are shown with their numbers, saved, and hidden again', { skip }, async (t) => {
   const app = await pageWith(t);
   const { doc } = app;

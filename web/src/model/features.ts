@@ -1,6 +1,6 @@
 // Edges that become straight lines of the map: creases, rims, chosen ones and those in a plane of symmetry. Values are immutable.
 
-import type { Features } from 'hgp';
+import type { Features, ModelInfo } from 'hgp';
 
 /** What is needed of a surface. */
 export interface Shape {
@@ -87,6 +87,13 @@ export function countRuns(edges: readonly Edge[]): number {
   }
   return count;
 }
+
+/**
+ * Whether creases are as long as those of something that was designed: six edges or more each on parts (21 on fandisk, 16 on
+ * casting), one or two on what was scanned or modelled by hand (the cow, Suzanne).
+ */
+export const hasLongCreases = ({ features: found }: Pick<ModelInfo, 'features'>): boolean =>
+  found !== undefined && found.creaseChains > 0 && found.creaseEdges >= 5 * found.creaseChains;
 
 /** What lines follow: "12 creases and 1 rim". */
 export function followedLines(choice: FeatureChoice, rims: number): string {

@@ -1,5 +1,6 @@
 // Part of the Solve panel: which edges become straight lines.
 
+import type { ModelInfo } from 'hgp';
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
@@ -10,7 +11,7 @@ import {
   followRims,
   mirrorMap,
 } from '../actions/features';
-import { featuresText, hasEdges, hasFeatures } from '../model/features';
+import { featuresText, hasEdges, hasFeatures, hasLongCreases } from '../model/features';
 import { plural } from '../text/format';
 import { Panel } from './panel';
 
@@ -41,10 +42,16 @@ class FeaturesPanel extends Panel {
         ${loops > 0 ? tick('follow-rims', 'Lines follow rims', hasRims, (isOn) => followRims(this.app, isOn)) : nothing}
         ${hasMirror ? tick('symmetric', 'Symmetric map', isSymmetric, (isOn) => mirrorMap(this.app, isOn)) : nothing}
         <small
-          >${isPossible ? 'These edges become straight lines of the map, exactly; Run chooses cones that fit.' : `Lines along edges need q = 4, not ${doc.prescription.q}.`}</small
+          >${isPossible ? this.#hint(model.info) : `Lines along edges need q = 4, not ${doc.prescription.q}.`}</small
         >
       </p>
       ${features && isPossible ? this.#chosen(loops) : nothing}`;
+  }
+
+  #hint(info: ModelInfo): string {
+    const found = info.features?.creaseChains ?? 0;
+    const isOffered = hasLongCreases(info) && !this.app.doc.features;
+    return `${isOffered ? `This model has ${plural(found, 'long crease')}. ` : ''}These edges become straight lines of the map, exactly; Run chooses cones that fit.`;
   }
 
   #chosen(loops: number): TemplateResult | typeof nothing {

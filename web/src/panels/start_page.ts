@@ -57,9 +57,9 @@ class StartPage extends Panel {
             ${actionButton(app, 'open', { domId: 'choose', className: 'primary', text: 'Choose files', hasIcon: false })}
             ${actionButton(app, 'open-folder', { domId: 'choose-folder', text: 'Choose a folder', hasIcon: false })}
           </p>
+          ${this.#recent()}
         </div>
       </div>
-      ${this.#recent()}
       <h3>or try an example</h3>
       <ul class="cards">
         ${examples.map(

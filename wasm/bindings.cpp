@@ -270,9 +270,11 @@ class Session {
     });
   }
 
-  val quads(const std::string& name) const {
+  /// @param names, contents  side files of the input, of which a GLB gets the pictures
+  val quads(const std::string& name, const val& names, const val& contents) const {
     return guarded([&] {
-      const Result<api::QuadFile> quads = session_.quads(name);
+      const io::Resolver sides = toFileSet("", names, contents).resolve;
+      const Result<api::QuadFile> quads = session_.quads(name, sides);
       if (!quads) return failed(quads.error());
       val reply = val::object();
       reply.set("bytes", toTypedArray("Uint8Array", quads->bytes));

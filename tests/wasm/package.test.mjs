@@ -9,7 +9,7 @@ import { Worker } from 'node:worker_threads';
 import { problems } from '../cli/schema.mjs';
 import { blocks, ring } from '../support/blocks.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
-import { cubeCrosses, cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { cubeCrosses, cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import { built, bytesOf, createClient, HgpError, native, scratch, withClient } from './support.mjs';
 
 const bytes = bytesOf;
@@ -68,6 +68,29 @@ test('a mode of the grid alone gives the quads that the command line gives witho
     const made = await map.quads();
     assert.equal(made.quads, lines.filter((line) => line.startsWith('f ')).length);
     assert.equal(made.vertices, lines.filter((line) => line.startsWith('v ')).length);
+  }));
+
+test('quads of a .gltf as GLB contain its pictures, as they were when it was loaded', () =>
+  withClient(async (client) => {
+    const { json, bin } = toGltf([cubeMesh(4)], { image: 'a picture.png', uv: { 0: ([x, y]) => [x, y] } }); // prettier-ignore
+    json.images[0].uri = 'a%20picture.png';
+    const picture = Uint8Array.from({ length: 1000 }, (_, i) => (i * i) % 251);
+    const sides = { 'cube.bin': new Uint8Array(bin), 'a picture.png': picture.slice() };
+    const files = { 'cube.gltf': bytes(JSON.stringify(json)), ...sides };
+    const model = await client.load({ main: 'cube.gltf', files });
+    files['a picture.png'].fill(0);
+    const map = await model.parametrize({ grid: { mode: 'quad' } });
+    const inside = (made) => Buffer.from(made.bytes).indexOf(picture) > 0;
+    const made = await map.quads({ name: 'q.glb' });
+    assert.ok(inside(made));
+    assert.deepEqual(made.notes, [], 'nothing is missing');
+    assert.equal(inside(await map.quads({ name: 'q.obj' })), false);
+    // Without the picture the rest is written, and its absence said.
+    const { 'a picture.png': _, ...without } = files;
+    const bare = await client.load({ main: 'cube.gltf', files: without });
+    const { notes } = await (await bare.parametrize({ grid: { mode: 'quad' } })).quads({ name: 'q.glb' }); // prettier-ignore
+    assert.equal(notes.length, 1);
+    assert.equal(notes[0].code, 'read-file-refused');
   }));
 
 test('cones embedded in a file are found again', () =>

@@ -122,6 +122,8 @@ export interface Session {
   loops(): Reply<import('./lib/results.js').Loops>;
   quads(
     name: string,
+    names: string[],
+    contents: Uint8Array[],
   ): Reply<Omit<import('./lib/results.js').Quads, 'name' | 'notes'> & { notes: string }>;
   delete(): void;
 }

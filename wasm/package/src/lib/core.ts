@@ -4,7 +4,7 @@
 import createModule, { type Module, type Session } from '../module.js';
 import { checkOptions } from './check_options.js';
 import type { CoreMap } from './core_map.js';
-import { CoreModel } from './core_model.js';
+import { CoreModel, type Loaded } from './core_model.js';
 import { decodersFor } from './decoders.js';
 import type { ModelInfo } from './documents.js';
 import { messageOf, unavailable, usage, valueOf } from './error.js';
@@ -41,6 +41,14 @@ function gltfJson(bytes: Uint8Array | undefined): Uint8Array | undefined {
   while (first < 1024 && ' \t\r\n'.includes(String.fromCharCode(bytes[first]))) first++;
   return starts('{', first) ? bytes : undefined;
 }
+
+/** Copies of the files beside a .gltf that may be pictures: all but the buffers that exporters write. */
+const picturesOf = ({ main, files }: CoreFiles): Map<string, Uint8Array> =>
+  new Map(
+    [...files]
+      .filter(([name]) => name !== main && !name.endsWith('.bin'))
+      .map(([name, bytes]) => [name, Uint8Array.from(bytes)]),
+  );
 
 /** The numbers of a map that is not needed any more. */
 function resultOf(map: CoreMap): Result {
@@ -144,6 +152,7 @@ export class Core {
       return {
         info: notes.length > 0 ? { ...info, notes: [...notes, ...info.notes] } : info,
         name: nameFor(main, format, options.target),
+        sides: format === 'gltf' ? picturesOf(source) : undefined,
       };
     });
   }
@@ -206,14 +215,10 @@ export class Core {
     return combine(this, maps, takeCombineOptions(maps.length, options));
   }
 
-  #open(
-    options: LoadOptions,
-    load: (session: Session) => { info: ModelInfo; name: string },
-  ): CoreModel {
+  #open(options: LoadOptions, load: (session: Session) => Loaded): CoreModel {
     const session = new this.#module.Session();
     try {
-      const { info, name } = load(session);
-      return new CoreModel(this, session, { info, name, options });
+      return new CoreModel(this, session, { ...load(session), options });
     } catch (error) {
       session.delete();
       throw error;

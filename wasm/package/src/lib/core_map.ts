@@ -62,7 +62,9 @@ export class CoreMap extends MapData {
   quads(options: QuadOptions = {}): Quads {
     checkOptions('quads', options);
     const { name = 'quads.obj' } = options;
-    const { notes, ...made } = valueOf(this.current().quads(name));
+    const { sides } = this.model;
+    const reply = this.current().quads(name, [...sides.keys()], [...sides.values()]);
+    const { notes, ...made } = valueOf(reply);
     return { name, ...made, notes: JSON.parse(notes) as Note[] };
   }
 

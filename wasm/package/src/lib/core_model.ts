@@ -35,6 +35,16 @@ import { filesOf, forCore, jsonOf, listFile } from './to_core.js';
 
 const nested = 'a call of this model is running: its onProgress cannot use the model, nor free it';
 
+/**
+ * What loading a model gives.
+ * @internal
+ */
+export interface Loaded {
+  info: ModelInfo;
+  name: string;
+  sides?: ReadonlyMap<string, Uint8Array>;
+}
+
 /** A loaded mesh. */
 export class CoreModel {
   readonly #core: Core;
@@ -54,17 +64,24 @@ export class CoreModel {
    */
   readonly defaultName: string;
 
+  /**
+   * The files beside a .gltf, of which quads() needs the pictures.
+   * @internal
+   */
+  sides: ReadonlyMap<string, Uint8Array>;
+
   /** @internal */
   constructor(
     core: Core,
     session: Session,
-    { info, name, options }: { info: ModelInfo; name: string; options: LoadOptions },
+    { info, name, options, sides }: Loaded & { options: LoadOptions },
   ) {
     this.#core = core;
     this.#session = session;
     this.info = info;
     this.defaultName = name;
     this.options = options;
+    this.sides = sides ?? new Map();
   }
 
   /** The facts and defects of the mesh. */
@@ -243,6 +260,7 @@ export class CoreModel {
     if (this.#isReporting) throw usage(nested);
     this.#session?.delete();
     this.#session = undefined;
+    this.sides = new Map();
   }
 
   [Symbol.dispose](): void {

@@ -259,6 +259,9 @@ export interface FeatureListOptions {
 }
 
 export interface QuadOptions {
-  /** File name, whose extension determines the format: .obj or .ply for quads, .glb for triangles. */
+  /**
+   * File name, whose extension determines the format: .obj or .ply for quads, .glb for triangles. The GLB of a .gltf
+   * contains its pictures, where load() got them beside it.
+   */
   name?: string;
 }

@@ -367,8 +367,7 @@ class Run {
            {}});
     }
     if (a_.command == Command::kParam) {
-      if (Status possible = session_.canWrite(a_.output, a_.solve.refines); !possible)
-        return fail(possible.error());
+      if (Status possible = session_.canWrite(a_.output); !possible) return fail(possible.error());
     }
     Result<FileOutcome> outcome = a_.command == Command::kParam
                                       ? parametrizeAll(session_, a_, progress_.callback())
@@ -416,7 +415,7 @@ class Run {
 
   int param() {
     const bool isQuads = a_.command == Command::kQuads;
-    if (Status possible = session_.canWrite(a_.output, a_.solve.refines); !possible && !isQuads) {
+    if (Status possible = session_.canWrite(a_.output); !possible && !isQuads) {
       return fail(possible.error());
     }
     if (a_.isCompressed && !session_.canWrite("x.glb") && !session_.canWrite("x.gltf")) {

@@ -24,7 +24,7 @@ Status possible(const api::Session& session, const api::SolveOptions& solve,
                    "refine",
                    "refine is for one mesh and the file has several: load one with Mesh.load",
                    {}};
-  if (Status can = session.canWrite(writing.after.output, solve.refines); !can) return can;
+  if (Status can = session.canWrite(writing.after.output); !can) return can;
   return cli::checkWritable(writing.after.output);
 }
 

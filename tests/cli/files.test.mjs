@@ -5,7 +5,8 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { cubeMesh, toGlb } from '../support/meshes.mjs';
+import { NodeIO } from '@gltf-transform/core';
+import { cubeMesh, toGlb, toGltf, toPly } from '../support/meshes.mjs';
 import { problems } from './schema.mjs';
 import { hgp, inFolder } from '../support/program.mjs';
 import { sentenceOf } from '../support/notes.mjs';
@@ -86,14 +87,64 @@ test('--refine maps and writes a finer mesh where the mesh as it is has no map',
   const verified = run(['verify', 'finer.obj', '--q', '4', ...cones]);
   assert.equal(verified.code, 0, verified.out);
 
-  const glb = toGlb([{ vertices: v, triangles: faces }]);
-  put('crowded.glb', glb);
-  const args = ['param', 'crowded.glb', '--refine', '-o'];
-  const refused = run([...args, 'out.glb']);
-  assert.equal(refused.code, 2);
-  assert.match(refused.err, /-o x\.obj/);
-  assert.equal(run([...args, 'out.obj', '--also', 'out_too.glb']).code, 0);
-  for (const name of ['out.obj', 'out_too.glb']) assert.equal(run(['verify', name]).code, 0, name);
+  // Without need nothing is split.
+  const easy = run(['param', 'crowded.obj', '--refine', '-o', 'easy.obj', '--json', '-']);
+  assert.equal(JSON.parse(easy.out).refined, null);
+});
+
+test('--refine keeps everything in a glTF or PLY, or says what it cannot keep', async () => {
+  const { v, faces, cones } = crowdedIcosahedron();
+  const mesh = { vertices: v, triangles: faces };
+  const { json, bin } = toGltf([mesh], { image: 'pixel.png', uv: { 0: ([x, y]) => [x + 9, y] } });
+  put('pixel.png', 'not really');
+  put('cube.bin', bin);
+  put('crowded.gltf', JSON.stringify(json));
+  put('crowded.ply', toPly(mesh));
+  const args = (input, output) => ['param', input, ...cones, '--q', '4', '--refine', '-o', output, '--json', '-']; // prettier-ignore
+  for (const [input, output] of [
+    ['crowded.gltf', 'finer.gltf'],
+    ['crowded.gltf', 'finer.glb'],
+    ['crowded.ply', 'finer.ply'],
+    ['crowded.ply', 'finer_of_ply.obj'],
+    ['crowded.gltf', 'finer_of_gltf.obj'],
+  ]) {
+    // prettier-ignore
+    const { code, out, err } = run(args(input, output));
+    assert.equal(code, 0, err);
+    const { refined, notes } = JSON.parse(out);
+    assert.ok(refined.triangles > 20, output);
+    assert.ok(!notes.some((note) => note.code === 'split-as-polygons'), output);
+    const verified = run(['verify', output, '--q', '4', ...cones, '--json', '-']);
+    assert.equal(verified.code, 0, output);
+    const seen = JSON.parse(run(['inspect', output, '--json', '-']).out);
+    assert.equal(seen.triangles, refined.triangles, output);
+  }
+  const root = (await new NodeIO().read(at('finer.glb'))).getRoot();
+  assert.deepEqual(root.getExtras(), json.extras);
+  assert.equal(Buffer.from(root.listTextures()[0].getImage()).toString(), 'not really');
+  const [primitive] = root.listMeshes()[0].listPrimitives();
+  assert.notEqual(primitive.getMaterial(), null);
+  assert.deepEqual(primitive.listSemantics().sort(), ['POSITION', 'TEXCOORD_0', 'TEXCOORD_1']);
+  // The old coordinates are where the positions put them, on split edges as well.
+  const [positions, old] = ['POSITION', 'TEXCOORD_0'].map((name) => primitive.getAttribute(name));
+  for (let i = 0; i < positions.getCount(); i++) {
+    const [x, y] = positions.getElement(i, []);
+    const [s, t] = old.getElement(i, []);
+    assert.ok(Math.abs(s - x - 9) < 1e-6 && Math.abs(t - y) < 1e-6, `${s} ${t} at ${x} ${y}`);
+  }
+  // Where repairs are written as well, the mesh alone is refined.
+  const turned = toGltf([{ vertices: v, triangles: [[...faces[0]].reverse(), ...faces.slice(1)] }]);
+  put('cube.bin', turned.bin);
+  put('turned.gltf', JSON.stringify(turned.json));
+  for (const output of ['alone.glb', 'alone.gltf']) {
+    const { code, out, err } = run([...args('turned.gltf', output), '--write-repairs']);
+    assert.equal(code, 0, err);
+    assert.ok(
+      JSON.parse(out).notes.some((note) => note.code === 'split-as-polygons'),
+      output,
+    );
+    assert.equal(run(['verify', output, '--q', '4', ...cones]).code, 0, output);
+  }
 });
 
 test('every member of a gzip file is read, also with zeros between and other bytes after them', () => {

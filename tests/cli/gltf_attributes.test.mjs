@@ -333,7 +333,7 @@ for (const isShared of [false, true]) {
     );
     const notes = JSON.stringify(JSON.parse(readFileSync(at('split.json'), 'utf8')));
     assert.match(notes, /features-split/, err);
-    assert.doesNotMatch(notes, /features-as-polygons/);
+    assert.doesNotMatch(notes, /split-as-polygons/);
     await isValid('split.glb');
     const root = (await new NodeIO().readBinary(readFileSync(at('split.glb')))).getRoot();
     const [mesh] = root.listMeshes();

@@ -97,8 +97,7 @@ class Session {
   Result<QuadFile> quads(const std::string& name, const io::Resolver& resolve = {}) const;
 
   /// Whether write() can produce a file of this name, judged by its extension.
-  /// @param isRefined  whether SolveOptions::refines is set: a refined surface is always written as OBJ
-  Status canWrite(const std::string& name, bool isRefined = false) const;
+  Status canWrite(const std::string& name) const;
   /// The original with the result as a uv set, or the result in another format. The map is snapped to the numbers
   /// that this format stores and verified again; fails with kNoMap if it is then no longer certified.
   Result<WrittenMap> write(const WriteOptions& options) const;

@@ -240,7 +240,7 @@ constexpr Phrase kOthers[] = {
      "vertices keep their ids, new ones follow, and halves of features are features."},
     {"features-split-in-vain",
      "no map along these features on the mesh with split edges ({triangles} triangles) either"},
-    {"features-as-polygons",
+    {"split-as-polygons",
      "this file cannot store split edges: only positions and triangles are kept, no materials, "
      "normals or other attributes"},
     {"features-no-grid", "the lines of these features and the seams have no common grid"},
@@ -274,7 +274,6 @@ constexpr Phrase kOthers[] = {
      "{trianglesBefore}; vertices keep their ids, new ones follow."},
     {"refine-nowhere", "nothing was refined: the places where this map is wrong are not known"},
     {"refine-in-vain", "no map on the mesh refined to {triangles} triangles either"},
-    {"refine-as-obj", "only positions and triangles are kept: the result is written as OBJ"},
     {"stored-moved",
      "{moved} of {components|component} moved or scaled to survive the rounding of the format"},
     {"stored-broken",
@@ -365,7 +364,6 @@ constexpr Phrase kOthers[] = {
     {"raise-bytes", "Raise it by --max-bytes (limits.bytes)"},
     {"raise-triangles", "Raise it by --max-triangles (limits.triangles)"},
     {"use-cones", "Leave out --boundary to use cones"},
-    {"name-obj", "Name the result -o x.obj (--also x.glb adds a plain GLB of it)"},
     {"write-obj", "Write an OBJ (-o x.obj)"},
 };
 

@@ -45,7 +45,6 @@ const pagePhrases: Phrases = {
   'raise-bytes': '',
   'raise-triangles': '',
   'use-cones': '',
-  'name-obj': '',
   'write-obj': 'Download it as OBJ',
 };
 

@@ -199,6 +199,8 @@ Result<Model> modelOfPolygons(const Model& model, Note lost) {
   return out;
 }
 
+bool canRefine(const Model& model) { return model.document->refined(model.surface, {}).hasValue(); }
+
 Result<RefinedModel> refine(const Model& model,
                             const std::vector<std::vector<SplitPlace>>& places) {
   std::vector<VertexPair> edges;

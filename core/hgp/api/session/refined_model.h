@@ -20,6 +20,9 @@ struct RefinedModel {
 /// A model of the positions and triangles of the surface alone. @param lost  says so
 Result<Model> modelOfPolygons(const Model& model, Note lost);
 
+/// Whether the file can store split edges. Finds out by writing it, which takes as long.
+bool canRefine(const Model& model);
+
 /// Splits edges. @param places  per component of `model`
 Result<RefinedModel> refine(const Model& model, const std::vector<std::vector<SplitPlace>>& places);
 

@@ -274,17 +274,10 @@ const std::vector<SeamEdge>& Session::seams() const {
   return hasResult() ? state_->shown().solved->seams : kNoSeams;
 }
 
-Status Session::canWrite(const std::string& name, bool isRefined) const {
+Status Session::canWrite(const std::string& name) const {
   return guarded([&]() -> Status {
     if (!state_->model) return notLoaded();
     const std::string wanted = extensionOf(name);
-    if (isRefined && !wanted.empty() && wanted != "obj") {
-      return Failure{ErrorCode::kUsage,
-                     "write",
-                     "a refined mesh is written as OBJ; a glTF cannot be extended",
-                     {},
-                     {Note("name-obj")}};
-    }
     const io::Document& document = *state_->shown().model->document;
     const std::string given = document.outputFormat();
     const bool isKnown = wanted == "obj" || wanted == "off" || wanted == "ply" || wanted == "stl" ||

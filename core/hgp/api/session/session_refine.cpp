@@ -67,7 +67,7 @@ bool hasMap(const RunRecord& run) {
 Status Session::State::solveAsPolygons(
     const std::optional<prescription::Prescription>& prescription, const SolveOptions& options) {
   auto next = std::make_unique<State>();
-  if (Status taken = next->take(modelOfPolygons(*model, Note("refine-as-obj"))); !taken)
+  if (Status taken = next->take(modelOfPolygons(*model, Note("split-as-polygons"))); !taken)
     return taken;
   if (Status done = next->solve(prescription, options); !done) return done;
   finer = next->finer ? next->finer : std::shared_ptr<State>(std::move(next));

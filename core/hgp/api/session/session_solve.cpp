@@ -292,8 +292,6 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
 Status Session::State::solve(const std::optional<prescription::Prescription>& prescription,
                              const SolveOptions& asked) {
   const auto start = std::chrono::steady_clock::now();
-  if (asked.refines && std::string_view(model->document->outputFormat()) != "obj")
-    return solveAsPolygons(prescription, asked);
   Result<Request> request = prescription ? resolve(*model, *prescription)
                                          : Result<Request>(automaticRequest(*model, asked.q));
   if (!request) return request.error();
@@ -326,8 +324,10 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
   const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;
   if (mayRepair && !solved->stored.isCertified)
     if (Status done = solveImproved(*request, options, run); !done) return done;
-  if (mayRepair && !solved->stored.isCertified)
+  if (mayRepair && !solved->stored.isCertified) {
+    if (options.refines && !canRefine(*model)) return solveAsPolygons(prescription, asked);
     if (Status done = solveRefined(*request, options, run); !done) return done;
+  }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();
   request = Result<Request>(Request());  // not needed any more, and the report is large

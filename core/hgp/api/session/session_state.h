@@ -70,7 +70,7 @@ struct Session::State {
   std::vector<std::optional<FrameField>> fieldsOfGivenHandles(const Request& request,
                                                               const RunRecord& run);
   void publish(const RunRecord& run);
-  /// For formats that cannot be refined: solves on the surface converted to polygons, set as `finer`.
+  /// For files that cannot be refined: solves on the surface converted to polygons, set as `finer`.
   Status solveAsPolygons(const std::optional<prescription::Prescription>& prescription,
                          const SolveOptions& options);
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,

@@ -107,7 +107,7 @@ Status SplitModel::splitEdges(const Places& places) {
     return Done{};
   Result<RefinedModel> next = refine(*model, places);
   if (!next && !isPolygonFile(*model)) {
-    Result<Model> polygons = modelOfPolygons(*model, Note("features-as-polygons"));
+    Result<Model> polygons = modelOfPolygons(*model, Note("split-as-polygons"));
     if (!polygons) return polygons.error();
     RefinedModel same{std::move(*polygons), {}, {}};
     same.facts.verticesBefore = static_cast<int>(model->source().mesh.positions.size());

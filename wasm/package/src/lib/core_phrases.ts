@@ -173,7 +173,7 @@ export const corePhrases = {
     'THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, because a map along all features has no room otherwise. The certified and written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids, new ones follow, and halves of features are features.',
   'features-split-in-vain':
     'no map along these features on the mesh with split edges ({triangles} triangles) either',
-  'features-as-polygons':
+  'split-as-polygons':
     'this file cannot store split edges: only positions and triangles are kept, no materials, normals or other attributes',
   'features-no-grid': 'the lines of these features and the seams have no common grid',
   'features-many-integers':
@@ -192,7 +192,6 @@ export const corePhrases = {
     'THE MESH WAS REFINED: {edges|edge is|edges are} split ({places}), because {programs|program} gave no map of the original mesh. The certified and written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids, new ones follow.',
   'refine-nowhere': 'nothing was refined: the places where this map is wrong are not known',
   'refine-in-vain': 'no map on the mesh refined to {triangles} triangles either',
-  'refine-as-obj': 'only positions and triangles are kept: the result is written as OBJ',
   'stored-moved':
     '{moved} of {components|component} moved or scaled to survive the rounding of the format',
   'stored-broken':

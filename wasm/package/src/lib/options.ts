@@ -175,7 +175,6 @@ export interface SolveOptions extends SuggestOptions {
   /**
    * If no map is found, split edges and solve again. `positions` and `triangles` of the result, and written files, are
    * then those of the refined mesh, in which vertices keep their ids; `report.refined` says what was split.
-   * A refined result is written as OBJ.
    */
   refine?: boolean;
   /**

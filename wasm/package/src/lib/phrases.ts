@@ -57,7 +57,6 @@ const optionPhrases: Phrases = {
   'raise-bytes': 'Raise it by limits.bytes',
   'raise-triangles': 'Raise it by limits.triangles',
   'use-cones': 'Leave out boundary to use cones',
-  'name-obj': "Ask for format: 'obj'",
   'write-obj': "Ask for format: 'obj'",
 };
 

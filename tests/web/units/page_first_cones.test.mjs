@@ -226,6 +226,36 @@ test(
 );
 
 test(
+  'closing a model stores the cones that are shown, and where there are none leaves what is stored',
+  { skip },
+  async (t) => {
+    const app = await openPage(t);
+    const files = { 'cube.obj': toObj(cubeMesh(4)) };
+    const { doc } = app;
+    const closedWith = async (prepare) => {
+      await openFiles(app, files);
+      const { info } = doc.model;
+      await prepare(info);
+      await click('#close');
+      return (await restorable(info))?.prescription.cones;
+    };
+    const undone = (steps) => () => {
+      const { prescription } = doc;
+      for (let n = 1; n <= corners.length; n++) setPrescription(app, { ...prescription, cones: corners.slice(0, n) }, `add cone: ${n}`); // prettier-ignore
+      for (let i = 0; i < steps; i++) doc.history = doc.history.undo();
+    };
+    assert.deepEqual(await closedWith(undone(0)), corners);
+    assert.deepEqual(await closedWith(undone(2)), corners.slice(0, 1));
+    assert.deepEqual(await closedWith(undone(1)), corners.slice(0, 2));
+    assert.deepEqual(await closedWith(undone(3)), corners, 'those that were placed last');
+    assert.deepEqual(await closedWith(() => {}), corners, 'nobody has asked for them');
+    const stored = corners.slice(0, 2);
+    assert.deepEqual(await closedWith((info) => saveCones(info, { ...doc.prescription, cones: stored })), stored); // prettier-ignore
+    assert.deepEqual(await closedWith(() => place(app, [])), [], 'they were taken away');
+  },
+);
+
+test(
   'a link brings its cones, turnings and edges to its own model, and takes nothing from anybody',
   { skip },
   async (t) => {

@@ -242,6 +242,65 @@ test('flipped triangles are shown where the certificate has them, otherwise wher
   assert.deepEqual(shown([]), [{ kind: 'triangle', id: 1 }]);
 });
 
+test('each row shows the places that the certificate has for it, wherever they are, and none where it has none', () => {
+  const random = randomFrom(4);
+  const below = (n) => Math.floor(n * random());
+  const rarely = (make) => (random() < 0.3 ? undefined : make());
+  const list = (most, make) => Array.from({ length: below(most + 1) }, make);
+  const solution = solutionOf(square());
+  const seen = new Map();
+  for (let round = 0; round < 400; round++) {
+    const components = list(2, () => ({
+      orientation: rarely(() => ({ notPositive: random() < 0.5 ? [] : list(2, () => below(3)) })),
+      distortion: rarely(() => ({ smallestTriangle: below(3), smallestToMeanArea: random() })),
+      angles: rarely(() => ({ worstVertex: rarely(() => below(4) - 1), worstDistance: random() })),
+      wrongCones: rarely(() => list(2, () => ({ vertex: below(3) }))),
+      seams: rarely(() => ({ worstEdge: random() < 0.4 ? [] : [below(3), below(3)], worstResidual: rarely(random) })), // prettier-ignore
+    }));
+    const [triangle, area] = [below(4) - 1, below(3) - 1];
+    solution.result.certificate = { ...certificate, components };
+    solution.smallestArea = { negative: 1, zero: 0, area, smallestPositive: 1, mean: 1, triangle };
+    solution.distortion = { ...solution.distortion, flipped: Uint32Array.from(list(1, () => below(3))) }; // prettier-ignore
+
+    const foremost = (key, measure, has) => components.map((one) => one[key]).filter((one) => one && has(one)).sort((a, b) => measure(b) - measure(a))[0]; // prettier-ignore
+    const reported = components.flatMap(({ orientation }) => orientation?.notPositive ?? []);
+    const folded = reported.length > 0 ? reported : [...solution.distortion.flipped];
+    const smallest = foremost(
+      'distortion',
+      (one) => -one.smallestToMeanArea,
+      () => true,
+    );
+    const worst = foremost(
+      'angles',
+      (one) => one.worstDistance,
+      (one) => one.worstVertex >= 0,
+    );
+    const edge = foremost('seams', (one) => one.worstResidual ?? 0, (one) => one.worstEdge.length > 0)?.worstEdge; // prettier-ignore
+    const at = (kind, ids) => ids.map((id) => ({ kind, id }));
+    const expected = {
+      'Flipped triangles': at('triangle', folded.length > 0 ? folded : smallest ? [smallest.smallestTriangle] : []), // prettier-ignore
+      'Smallest area': at('triangle', area > 0 || triangle < 0 ? [] : [triangle]),
+      'Regular vertices': at('vertex', worst ? [worst.worstVertex] : []),
+      'Cone angles': at('vertex', components.flatMap(({ wrongCones }) => (wrongCones ?? []).map(({ vertex }) => vertex))), // prettier-ignore
+      Seams: edge ? [{ kind: 'edge', id: edge[0], other: edge[1] }] : [],
+    };
+    const rows = verdictRows(solution);
+    for (const [name, places] of Object.entries(expected)) {
+      assert.deepEqual(rows.find((row) => row.name === name).where, places, name);
+      for (const { id = 'none' } of places.length > 0 ? places : [{}]) seen.set(`${name} ${id}`, true); // prettier-ignore
+    }
+  }
+  for (const name of [
+    'Flipped triangles',
+    'Smallest area',
+    'Regular vertices',
+    'Cone angles',
+    'Seams',
+  ])
+    // prettier-ignore
+    for (const id of [0, 1, 'none']) assert.ok(seen.has(`${name} ${id}`), `${name} ${id}`);
+});
+
 test('faces of any number of corners are read from a PLY as from an OBJ, as text or bytes', () => {
   const places = Array.from({ length: 6 }, (_, i) => [Math.cos(i), Math.sin(i), i]);
   const uvOf = (v) => [places[v][0] / 2, places[v][1] + 1];

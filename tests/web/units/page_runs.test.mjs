@@ -390,14 +390,16 @@ test('settings of Run are those of the panel, and make another map', { skip }, a
   await click('#runs [data-run="0"]');
   assert.deepEqual([doc.current, doc.solve.improve, ui.dialog], [first, undefined, '']);
   // Limits are numbers within their ranges.
-  await choose('#rounds', '250');
-  assert.equal(doc.solve.rounds, 100);
-  await choose('#rounds', '0');
-  assert.equal(doc.solve.rounds, 100);
-  await choose('#time-limit', '30');
-  assert.equal(doc.solve.timeLimit, 30);
-  await choose('#time-limit', '');
-  assert.equal(doc.solve.timeLimit, undefined);
+  const typed = ['7', '1', '2', '0', '-3', '0.6', '1.4', '1.5', '99', '100', '101', '86399', '86400', '86401', '1e9', '']; // prettier-ignore
+  const limits = { rounds: ['rounds', 100], 'time-limit': ['timeLimit', 86_400] };
+  for (const [field, [key, most]] of Object.entries(limits)) {
+    for (const text of typed) {
+      const n = Number(text);
+      const otherwise = key === 'rounds' ? doc.solve[key] : undefined;
+      await choose(`#${field}`, text);
+      assert.equal(doc.solve[key], n >= 1 ? Math.min(most, Math.round(n)) : otherwise, `${field}: “${text}”`); // prettier-ignore
+    }
+  }
   await choose('#align', false);
   await until(() => !doc.isBusy && doc.current);
   assert.equal(doc.current.result.report.components[0].grid ?? null, null, 'made anew at once');

@@ -7,6 +7,7 @@ import test from 'node:test';
 import { scaleAt } from '../../../web/src/model/surface.ts';
 import { sizesOf, weightedQuantile } from '../../../web/src/services/geometry/sizes.ts';
 import { percentText, timesText } from '../../../web/src/text/format.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { bumpyDisk } from '../../support/disk.mjs';
 
 const core = path.resolve(import.meta.dirname, '../../../build/package/node/core.js');
@@ -131,6 +132,121 @@ test('of many places the eight largest count, from three vertices on; of their t
   assert.equal(triangles.length, 2000);
   assert.ok(triangles.subarray(0, 400).every((t) => t >= 1000 && t < 1400), 'the most extreme');
 }); // prettier-ignore
+
+/** What is told of sizes, counted as plainly as can be. */
+function plainSizes(
+  { positions: p, triangles, area, stretch, flipped, uvArea, surfaceArea },
+  around,
+) {
+  const count = triangles.length / 3;
+  const cornersOf = (t) => [...triangles.subarray(3 * t, 3 * t + 3)];
+  const at = (v) => [...p.subarray(3 * v, 3 * v + 3)];
+  const areaOf = (t) => {
+    const [a, b, c] = cornersOf(t).map(at);
+    const [u, w] = [b, c].map((end) => end.map((x, i) => x - a[i]));
+    return Math.hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]) / 2; // prettier-ignore
+  };
+  const counted = Array.from({ length: count }, (_, t) => t).filter((t) => !flipped.includes(t) && areaOf(t) > 0); // prettier-ignore
+  const sum = (all) => all.reduce((one, x) => one + x, 0);
+  const total = sum(counted.map(areaOf)) || 1;
+  const quantile = (values, share) => {
+    let below = 0;
+    const sorted = counted.toSorted((a, b) => values[a] - values[b]);
+    const found = sorted.find((t) => (below += areaOf(t)) >= share * sum(counted.map(areaOf))); // prettier-ignore
+    return values[found] ?? 0;
+  };
+  const middle = quantile(area, 0.5);
+  const means = Array.from({ length: around.vertexCount }, (_, v) => {
+    const corners = counted.flatMap((t) => cornersOf(t).filter((w) => around.representative[w] === v).map(() => t)); // prettier-ignore
+    return sum(corners.map((t) => areaOf(t) * area[t])) / sum(corners.map(areaOf));
+  });
+  const places = (sign) => {
+    const bound = sign * middle + Math.log2(10);
+    const isIn = (v) => sign * means[v] > bound;
+    const seen = new Set();
+    const found = [];
+    for (let start = 0; start < means.length; start++) {
+      if (!isIn(start) || seen.has(start)) continue;
+      const all = new Set([start]);
+      for (const v of all) for (const w of around.neighbours.subarray(around.neighbourStart[v], around.neighbourStart[v + 1])) if (isIn(w)) all.add(w); // prettier-ignore
+      for (const v of all) seen.add(v);
+      const inside = [...all].filter((v) => !around.isBoundary[v]);
+      if (inside.length > 0 && all.size >= 3) found.push({ size: all.size, most: Math.max(...inside.map((v) => sign * means[v])), inside }); // prettier-ignore
+    }
+    const apart = counted.filter((t) => sign * area[t] > bound);
+    return { share: sum(apart.map(areaOf)) / total, triangles: apart, found, sign };
+  };
+  const mean = sum(counted.map((t) => (areaOf(t) / total) * 2 ** area[t]));
+  return {
+    typicalStretch: quantile(stretch, 0.5),
+    spread: 2 ** ((quantile(area, 0.95) - quantile(area, 0.05)) / 2),
+    range: 2 ** ((quantile(area, 0.99) - quantile(area, 0.01)) / 2),
+    typicalScale: Math.sqrt((2 ** middle / (mean || 1)) * (uvArea / surfaceArea)),
+    ...{ larger: places(-1), smaller: places(1), means },
+  };
+}
+
+test('sizes are those that are counted plainly; triangles that are flipped or without area count for nothing, whatever was measured of them', () => {
+  const random = randomFrom(6);
+  const below = (n) => Math.floor(n * random());
+  let [shown, known] = [0, 0];
+  for (let round = 0; round < 200; round++) {
+    const n = 4 + below(40);
+    const { faces, around } = strip(Array.from({ length: n }, () => 1));
+    for (let at = 0, left = 0, size = 0; at < 2 * n; at++, left--) {
+      if (left <= 0) [left, size] = [1 + below(8), [0, 0, 0, 5, -5, 9, -9][below(7)]];
+      faces.area[at] = size + random();
+      faces.stretch[at] = 1 + random();
+    }
+    // Of odd widths, so that no sum of areas is just the share that is asked for.
+    for (let v = 0, x = 0; v < around.vertexCount; v += 2)
+      faces.positions[3 * v] = faces.positions[3 * v + 3] = x += 0.7 + 0.6 * random();
+    for (let v = 0; v < around.vertexCount; v++) around.isBoundary[v] = random() < 0.2 ? 1 : 0;
+    for (let v = 0; v < around.vertexCount; v++) if (random() < 0.05) around.representative[v] = -1;
+    const isOut = Array.from({ length: 2 * n }, () => random() < 0.15);
+    faces.flipped = Uint32Array.from(isOut.flatMap((is, t) => (is && random() < 0.6 ? [t] : [])));
+    for (let t = 0; t < 2 * n; t++) {
+      if (!isOut[t]) continue;
+      faces.area[t] = [40, -40, 3 * random(), Infinity, -Infinity, NaN][below(6)];
+      faces.stretch[t] = 1 + 50 * random();
+      if (!faces.flipped.includes(t)) faces.triangles[3 * t + 1] = faces.triangles[3 * t];
+    }
+    const is = sizesOf(faces, around);
+    const expected = plainSizes(faces, around);
+    for (const key of ['typicalStretch', 'spread', 'range', 'typicalScale'])
+      assert.ok(Math.abs(is[key] / expected[key] - 1) < 1e-9, `${key}: ${is[key]} ${expected[key]}`); // prettier-ignore
+    for (const side of ['larger', 'smaller']) {
+      const { share, triangles, found, sign } = expected[side];
+      assert.ok(Math.abs(is[side].share - share) < 1e-9, side);
+      assert.deepEqual(
+        [...is[side].triangles].sort((a, b) => a - b),
+        triangles,
+        side,
+      );
+      const sizes = [...is[side].triangles].map((t) => sign * faces.area[t]);
+      assert.deepEqual(
+        sizes,
+        sizes.toSorted((a, b) => b - a),
+        'the most extreme first',
+      );
+      const places = is[side].vertices.map((v) => found.find(({ inside }) => inside.includes(v)));
+      assert.equal(new Set(places).size, Math.min(8, found.length), side);
+      places.forEach(({ size, most }, i) => {
+        assert.equal(sign * expected.means[is[side].vertices[i]], most, 'the most extreme of its place'); // prettier-ignore
+        assert.ok(i === 0 || size <= places[i - 1].size, 'the largest places first');
+      });
+      shown += places.length;
+      known += triangles.length;
+    }
+  }
+  assert.ok(shown > 100 && known > 500, `${shown} places, ${known} triangles`);
+  // Of a map without a single triangle that counts there is nothing to tell.
+  const { faces, around } = strip([1, 1, 1]);
+  faces.flipped = Uint32Array.from([0, 1, 2, 3, 4, 5]);
+  const { larger, smaller, typicalStretch } = sizesOf(faces, around);
+  assert.deepEqual([larger, smaller].map(({ share, triangles, vertices }) => [share, triangles.length, vertices.length]), [[0, 0, 0], [0, 0, 0]]); // prettier-ignore
+  assert.equal(typicalStretch, 0);
+});
 
 test('a map with equal sizes has no such places', () => {
   const { faces, around } = strip(new Array(30).fill(1));

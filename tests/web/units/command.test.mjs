@@ -8,6 +8,7 @@ import test from 'node:test';
 import { loadOptionsOf, plainOutput } from '../../../web/src/model/document.ts';
 import { fromCones, toCones } from '../../../web/src/model/prescription.ts';
 import { cliCommand } from '../../../web/src/text/cli_command.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { bumpyDisk } from '../../support/disk.mjs';
 import { cubeCrosses, cubeMesh, toGlb, toObj } from '../../support/meshes.mjs';
 import { torusMesh } from '../shapes.mjs';
@@ -108,3 +109,62 @@ for (const [what, [main, content, loaded, asked, written = {}, surface]] of Obje
     const bytes = readFileSync(path.join(folder, name));
     assert.ok(bytes.equals(file.bytes), `${command}: other bytes (${bytes.length})`);
   });
+
+test('the command has what is prescribed, up to forty cones word by word, and of the rest what was chosen', () => {
+  const random = randomFrom(9);
+  const below = (n) => Math.floor(n * random());
+  const perhaps = (make) => (random() < 0.5 ? undefined : make());
+  for (let round = 0; round < 300; round++) {
+    const count = [0, 1, below(40), 39, 40, 41, 42, 90][below(8)];
+    const prescription = {
+      q: 1 + below(8),
+      cones: Array.from({ length: count }, () => ({ vertex: below(100), k: 1 + below(9) })),
+      turnings: Array.from({ length: below(3) }, () => (random() < 0.4 ? null : below(5) - 2)),
+      handles: Array.from({ length: below(3) }, () => (random() < 0.4 ? null : below(4))),
+    };
+    const surfaces = Array.from({ length: 1 + below(3) }, (_, index) => ({ index }));
+    const components = perhaps(() => Array.from({ length: 1 + below(3) }, () => ({})));
+    const info = { surface: below(surfaces.length), surfaces, components, file: { format: 'obj' } };
+    const isOn = () => random() < 0.5;
+    const loaded = { weld: perhaps(() => below(3) / 4), fix: { split: isOn(), orient: isOn() }, hasAllRepairs: isOn() }; // prettier-ignore
+    const options = { rounds: 1 + below(99), scale: ['solved', 'unit', 'fit'][below(3)], improve: perhaps(() => below(9) / 4 - 1), cells: perhaps(() => below(9)), gridMode: ['tile', 'quad'][below(2)], field: perhaps(() => ({ name: 'a.rosy' })), timeLimit: perhaps(() => below(9)) }; // prettier-ignore
+    const output = { uvSet: perhaps(() => below(3)), usesNewSet: perhaps(isOn), embedCones: isOn(), gridTiles: perhaps(() => below(3)), isUncertified: isOn() }; // prettier-ignore
+    const words = cliCommand({ main: 'in/cube.obj', info, loaded }, prescription, options, output).split(' '); // prettier-ignore
+
+    const { q, cones, turnings, handles } = prescription;
+    const pairs = (name, values) => values.flatMap((x, i) => (x === null ? [] : [name, `${i}:${x}`])); // prettier-ignore
+    const given = count > 40
+      ? ['--cones', 'cube.cones.json']
+      : [...cones.flatMap(({ vertex, k }) => ['--cone', `${vertex}:${k}`]), ...pairs('--turning', turnings), ...pairs('--handle', handles)]; // prettier-ignore
+    const fixes = Object.keys(loaded.fix).filter((name) => loaded.fix[name]);
+    const { improve, cells, field } = options;
+    const word = new Map([[-1, 'conformal'], [0, 'isometric'], [1, 'area']]).get(improve) ?? improve; // prettier-ignore
+    const when = (is, ...list) => (is ? list.map(String) : []);
+    const expected = [
+      ...['hgp', 'param', 'in/cube.obj', '--q', String(q)],
+      ...given,
+      ...when(surfaces.length > 1, '--mesh', info.surface),
+      ...when(loaded.weld !== undefined, '--weld', loaded.weld === 0 ? 'exact' : loaded.weld),
+      ...when(!loaded.hasAllRepairs && fixes.length > 0, '--fix', fixes.join(',')),
+      ...when(!loaded.hasAllRepairs && fixes.length === 0, '--strict'),
+      ...when(true, '--rounds', options.rounds),
+      ...when(field, '--field', 'a.rosy', '--frames', 'file'),
+      ...when(improve !== undefined, `--improve=${word}`),
+      ...when(options.scale !== 'solved', '--scale', options.scale),
+      ...when(cells !== undefined, '--cells', cells, '--grid-mode', options.gridMode),
+      ...when(options.timeLimit !== undefined, '--time-limit', options.timeLimit),
+      ...when(components?.length > 1, '--keep-going'),
+      ...when(output.uvSet !== undefined, '--uv-set', output.uvSet),
+      ...when(output.usesNewSet === true, '--use'),
+      ...when(output.usesNewSet === false, '--use=false'),
+      ...when(output.embedCones, '--embed-cones'),
+      ...when(output.gridTiles !== undefined, `--grid-material=${output.gridTiles}`),
+      ...when(output.isUncertified, '--allow-uncertified'),
+      ...['--reproducible', '-o', 'cube.mapped.obj'],
+    ];
+    const grouped = (all) => all.join(' ').split(/ (?=-)/); // each option with what belongs to it
+    assert.deepEqual(grouped(words).sort(), grouped(expected).sort());
+    const placed = (all) => grouped(all).filter((one) => one.startsWith('--cone '));
+    assert.deepEqual(placed(words), placed(expected), 'cones in their order');
+  }
+});

@@ -1,7 +1,9 @@
-// Amounts of memory as words: whole tens of megabytes up to a gigabyte, then gigabytes. And the stages of a run as numbers.
+// Amounts of memory as words: whole tens of megabytes up to a gigabyte, then gigabytes. What a run will need. And the stages of
+// a run as numbers.
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { estimate, tooMany } from '../../../web/src/text/estimate.ts';
 import { megabytes, memoryText } from '../../../web/src/text/format.ts';
 import { runSteps, stageName, stepIndex, wholeFraction } from '../../../web/src/text/stages.ts';
 
@@ -15,6 +17,22 @@ test('memory is told in tens of megabytes below a gigabyte, and in gigabytes fro
     [0.25, 0.999, 1, 12.4].map((n) => megabytes(n * mega)),
     ['0.25 MB', '1.00 MB', '1 MB', '12 MB'],
   );
+});
+
+test('a run is estimated by its triangles and bytes: seconds up to a minute and a half, and whether memory is tight', () => {
+  const each = 1.2e-4; // seconds for a triangle
+  const counts = [0, 1, 8333, 8334, 9000, 500_000, 749_000, 749_999, 750_000, 750_001, 2_000_000];
+  for (const triangles of counts) {
+    const seconds = each * triangles;
+    const takes = triangles < 1 / each ? 'under a second' : triangles < 90 / each ? `${Math.ceil(seconds)} s` : `${Math.ceil(seconds / 60)} min`; // prettier-ignore
+    for (const bytes of [0, 1000, 1e8, 1e9, 1.5e9]) {
+      const memory = 24 * 2 ** 20 + 3 * bytes + 4608 * triangles;
+      const is = estimate(triangles, bytes);
+      assert.deepEqual(is, { needed: memoryText(memory), takes, isTight: memory > 0.8 * 2 ** 32 }, `${triangles} ${bytes}`); // prettier-ignore
+    }
+    assert.deepEqual(estimate(triangles), estimate(triangles, 0));
+    assert.ok(tooMany('a b.obj', triangles).includes(estimate(triangles).needed));
+  }
 });
 
 test('the stages of a run follow one another: each begins where one before it ends, the last one ends at the whole', () => {

@@ -2,8 +2,9 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { bendOf, readQuads, valencesOf } from '../../../web/src/model/quad_shape.ts';
-import { askedFor, quadFaults } from '../../../web/src/text/quads.ts';
+import { askedFor, quadFaults, quadsSaved } from '../../../web/src/text/quads.ts';
 
 const box = `v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
 vn 0 0 1
@@ -37,4 +38,40 @@ test('why another number of quads came out is said only where it is another', ()
   assert.match(askedFor({ ...none, quads: 500, clipped: 300 }, 800, 8), /boundary cuts/);
   assert.deepEqual(quadFaults(none), []);
   assert.equal(quadFaults({ ...none, clipped: 1, cuts: 2, replaced: 1, foldedQuads: 1 }).length, 4);
+});
+
+test('a tenth more or less is as asked for; anything beyond is told with its reason', () => {
+  const none = { clipped: 0, cuts: 0, replaced: 0, halvings: 0, foldedInSpace: 0, foldedQuads: 0 };
+  for (let asked = 10; asked < 3000; asked += 10) {
+    const tenth = asked / 10;
+    for (const quads of [asked - tenth, asked, asked + tenth]) assert.equal(askedFor({ ...none, quads }, asked, 8), ''); // prettier-ignore
+    const beyond = (of) => [asked - tenth - 1, asked + tenth + 1].map((quads) => askedFor({ ...none, ...of, quads }, asked, 8)); // prettier-ignore
+    const [[fewer, more], cut, divided] = [beyond({}), beyond({ clipped: 1 }), beyond({ halvings: 1 })]; // prettier-ignore
+    assert.equal(new Set(['', fewer, more, cut[0], divided[0]]).size, 5);
+    assert.equal(cut[1], more, 'what is left out makes no more');
+    assert.equal(divided[1], divided[0]);
+  }
+});
+
+test('of quads everything is told that is not zero, with its number, and nothing else', () => {
+  const random = randomFrom(3);
+  const keys = ['clipped', 'cuts', 'replaced', 'halvings', 'foldedInSpace', 'foldedQuads'];
+  const numbersIn = (text) => (text.match(/\d+/g) ?? []).map(Number);
+  for (let round = 0; round < 200; round++) {
+    const some = Object.fromEntries(keys.map((key, i) => [key, random() < 0.5 ? 0 : random() < 0.3 ? 1 : 2 + i])); // prettier-ignore
+    const { halvings, ...others } = some;
+    const told = (names) => names.filter((key) => others[key] > 0).map((key) => others[key]);
+    const faults = quadFaults(some);
+    const text = faults.map((one) => one.replace('k = 1', 'k')).join('');
+    assert.deepEqual(numbersIn(text), told(['clipped', 'cuts', 'replaced', 'foldedQuads']));
+    assert.equal(faults.length, numbersIn(text).length);
+    for (const one of faults) {
+      const [, n, noun] = one.match(/^(\d+) (\w+)/);
+      assert.equal(noun.endsWith('s'), n !== '1', one);
+    }
+    const saved = quadsSaved({ ...some, quads: 812 }, 'x.obj').replace('k = 1', 'k');
+    const per = halvings > 0 ? [4 ** halvings] : [];
+    const expected = [812, ...told(['clipped', 'cuts', 'replaced', 'foldedInSpace']), ...per, ...told(['foldedQuads'])]; // prettier-ignore
+    assert.deepEqual(numbersIn(saved), expected);
+  }
 });

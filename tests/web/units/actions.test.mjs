@@ -43,6 +43,33 @@ test('remaining seconds are shown only after a stage ended as estimated, and nev
   assert.equal(wrong.update('solve', 0, 0.2, 0, 30), undefined);
 });
 
+test('a stage is believed if it took at least a second and a half and was foreseen within three tenths', () => {
+  for (const took of [1, 1.4, 1.5, 2, 10, 40]) {
+    for (const error of [-0.5, -0.31, -0.3, -0.2, 0, 0.25, 0.3, 0.31, 0.6]) {
+      const clock = new TimeLeft();
+      const predicted = took + error * took;
+      clock.update('field', 0, 0.01, 0, 0);
+      clock.update('field', 0.5, 0.1, 0, predicted / 2);
+      clock.update('field', 0.75, 0.1, 0, 0.9 * took); // said once, at the middle
+      const isBelieved = took >= 1.5 && Math.abs(predicted - took) <= 0.3 * took;
+      const left = clock.update('solve', 0, 0.25, 0, took);
+      assert.equal(left, isBelieved ? 3 * took : undefined, `${took} seconds instead of ${predicted}`); // prettier-ignore
+      assert.equal(clock.update('solve', 0, 0, 0, took), undefined, 'of nothing follows nothing');
+      if (!isBelieved) continue;
+      // Up to a second more than was said is borne, and no more is said to be left; beyond that nothing is said.
+      const now = took + 0.5;
+      const say = (end) => clock.update('solve', 0.2, now / end, 0, now);
+      let end = 4 * took;
+      for (const later of [0.5, 0.9, -1, 0.9, -0.2]) {
+        const is = say(end + later);
+        end = Math.min(end, end + later);
+        assert.ok(Math.abs(is - (end - now)) < 1e-9, `${later}: ${is}`);
+      }
+      for (const later of [1.1, 0, -1]) assert.equal(say(end + later), undefined);
+    }
+  }
+});
+
 test('readers of a value are notified of changes; derived values follow', () => {
   const doc = new Document();
   const seen = [];

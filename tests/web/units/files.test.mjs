@@ -111,6 +111,34 @@ test('a GLB is split into its chunks; a truncated one is refused', () => {
   for (const length of [0, 10, 19, 22]) assert.equal(splitGlb(glb.subarray(0, length)), undefined);
 });
 
+test('wherever a GLB ends, its chunks are what is there of them; it needs a whole one of JSON, which may be empty', () => {
+  const chunk = (of, type) => {
+    const head = new Uint8Array(8);
+    new DataView(head.buffer).setUint32(0, of.length, true);
+    head.set(bytes(type), 4);
+    return [...head, ...of];
+  };
+  const filled = (length, value) => new Array(length).fill(value);
+  for (const json of [0, 4, 12]) {
+    for (const bin of [0, 8]) {
+      for (const rest of [0, 4]) {
+        const others = rest > 0 ? chunk(filled(rest, 9), 'MORE') : [];
+        const all = Uint8Array.from([...bytes('glTF'), ...filled(8, 0), ...chunk(filled(json, 7), 'JSON'), ...chunk(filled(bin, 8), 'BIN\0'), ...others]); // prettier-ignore
+        for (let length = 0; length <= all.length; length++) {
+          const found = splitGlb(all.subarray(0, length));
+          assert.equal(found !== undefined, length >= 20 + json, `${length} of ${all.length}`);
+          if (!found) continue;
+          const isThere = length >= 28 + json; // the head of the second chunk
+          const part = (from, to) => (isThere ? [...all.subarray(from, Math.min(to, length))] : []);
+          const end = 28 + json + bin;
+          assert.deepEqual([found.json, found.bin, found.rest].map((one) => [...one]), [filled(json, 7), part(28 + json, end), part(end, Infinity)]); // prettier-ignore
+        }
+      }
+    }
+  }
+  assert.equal(splitGlb(new Uint8Array(64)), undefined, 'it is none');
+});
+
 test('of a large GLB on disk only the head is read for its JSON', async () => {
   const glb = toGlb([cubeMesh(40)]);
   let most = 0;

@@ -6,6 +6,7 @@ import { messageForPage } from '../../../web/src/text/error_messages.ts';
 import { defectsInWords, noteForPage, weldIn } from '../../../web/src/text/notes.ts';
 import { remarksOn } from '../../../web/src/text/remarks.ts';
 import { repairsMade } from '../../../web/src/text/repairs.ts';
+import { describeTransfer } from '../../../web/src/text/transfer.ts';
 import { readCatalogue } from '../../../wasm/phrases.mjs';
 
 const note = (code, numbers = {}, words = {}, where = []) => ({ code, numbers, words, where });
@@ -93,5 +94,22 @@ test('bytes that a gzip file has behind its content are remarked on from the fir
     const [first, ...rest] = remarksOn(info, undefined, bytes);
     assert.deepEqual(rest, plain);
     assert.match(first, new RegExp(`(^|\\D)${bytes}\\D`));
+  }
+});
+
+test('of cones that moved it is told how many were kept, up to four that were not, and how many more; of none nothing', () => {
+  const codes = ['moved-cone-removed', 'moved-cone-gone', 'moved-cone-boundary'];
+  for (let kept = 0; kept < 4; kept++) {
+    for (let count = 0; count < 8; count++) {
+      const lost = Array.from({ length: count }, (_, i) => note(codes[i % 3], { vertex: 50 + i }));
+      const text = describeTransfer(kept, lost);
+      assert.equal(text === '', kept + count === 0, `${kept} and ${count}`);
+      if (text === '') continue;
+      assert.match(text, new RegExp(`^ ${kept} cone${kept === 1 ? '' : 's'} kept[;.]`));
+      const named = lost.filter((one) => text.includes(noteForPage(one)));
+      assert.deepEqual(named, lost.slice(0, 4));
+      const more = count > 4 ? [`; and ${count - 4} more.`] : [];
+      assert.deepEqual(text.match(/; and \d+ more\./g) ?? [], more, text);
+    }
   }
 });

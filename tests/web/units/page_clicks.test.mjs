@@ -261,6 +261,25 @@ test('with the Place tool keys walk from the place in the middle, and a boundary
       assert.equal(cursors.at(-1), vertex, 'what is in the middle');
       assert.equal(/boundary/.test(doc.message.text), Boolean(surface.isBoundary[vertex]));
     }
+  // From every vertex each arrow leads to the neighbour that is most nearly in its direction, if any is roughly there.
+  const strike = (key) => $('#view').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true })); // prettier-ignore
+  let stays = 0;
+  for (let from = 0; from < surface.vertexCount; from++) {
+    for (const [key, [x, y]] of Object.entries(ends)) {
+      keyboard.reset();
+      pointed = { vertex: from };
+      strike('ArrowUp');
+      assert.equal(cursors.at(-1), from);
+      strike(key);
+      const to = cursors.at(-1);
+      const around = surface.neighbours.subarray(surface.neighbourStart[from], surface.neighbourStart[from + 1]); // prettier-ignore
+      const cosine = (v) => (x * (at(v).x - at(from).x) + y * (at(v).y - at(from).y)) / (Math.hypot(at(v).x - at(from).x, at(v).y - at(from).y) || 1); // prettier-ignore
+      const best = Math.max(...[...around].map(cosine));
+      if (best <= 0.2) stays += 1;
+      assert.ok(best > 0.2 ? around.includes(to) && cosine(to) === best : to === from, `${key} from ${from} to ${to}`); // prettier-ignore
+    }
+  }
+  assert.ok(stays > 0 && stays < surface.vertexCount, `${stays} stay`);
   keyboard.reset();
   assert.equal(cursors.at(-1), -1);
   assert.equal(textOf($('#status')).length > 0, true);

@@ -428,6 +428,33 @@ test('a click goes to a corner in reach, never past it, and stays where nothing 
   );
 });
 
+test('a click goes to the sharpest corner that is reached over what is near, is clearly sharper, and has none beside it that is sharper still', () => {
+  const random = randomFrom(12);
+  const moved = { corner: 0, none: 0 };
+  for (let round = 0; round < 600; round++) {
+    // Any curvature, as rough surfaces have it.
+    const rough = { ...surface, angle: surface.angle.map(() => (random() < 0.7 ? 2 * Math.PI : 1 + 8 * random())), isBoundary: surface.isBoundary.map(() => (random() < 0.1 ? 1 : 0)) }; // prettier-ignore
+    const ring = (v) => [...rough.neighbours.subarray(rough.neighbourStart[v], rough.neighbourStart[v + 1])]; // prettier-ignore
+    const defect = (v) => (rough.isBoundary[v] ? 0 : 2 * Math.PI - rough.angle[v]);
+    const sharpness = (v) => Math.abs(ring(v).reduce((sum, w) => sum + defect(w), 2 * defect(v))) / 2; // prettier-ignore
+    const isNear = surface.angle.map(() => (random() < 0.4 ? 1 : 0));
+    const from = Math.floor(surface.vertexCount * random());
+    const reached = new Set([from]);
+    for (const v of reached) for (const w of ring(v)) if (isNear[w]) reached.add(w);
+    const corners = [...reached].filter((v) => {
+      const own = sharpness(v);
+      const isClear = own > Math.PI / 7 && own > 1.3 * sharpness(from);
+      return v !== from && !rough.isBoundary[v] && isClear && ring(v).every((w) => sharpness(w) <= own + 1e-12); // prettier-ignore
+    });
+    const found = cornerNear(rough, from, (v) => isNear[v] === 1);
+    const best = Math.max(...corners.map(sharpness));
+    if (corners.length === 0) assert.equal(found, from);
+    else assert.ok(corners.includes(found) && sharpness(found) > best - 1e-9, `${found} from ${from}`); // prettier-ignore
+    moved[corners.length > 0 ? 'corner' : 'none'] += 1;
+  }
+  assert.ok(moved.corner > 50 && moved.none > 50, JSON.stringify(moved));
+});
+
 test('of a fine surface only hundreds of vertices around a place are looked at, so that a pointer does not wait', () => {
   const fine = surfaceOf(cubeMesh(16));
   const most = 7; // neighbours that the last one may add

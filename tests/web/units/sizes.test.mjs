@@ -133,6 +133,26 @@ test('of many places the eight largest count, from three vertices on; of their t
   assert.ok(triangles.subarray(0, 400).every((t) => t >= 1000 && t < 1400), 'the most extreme');
 }); // prettier-ignore
 
+/** The same with its vertices in another order, so that those that follow one another are no neighbours. */
+function renumbered({ faces, around }, random) {
+  const count = around.vertexCount;
+  const old = Array.from({ length: count }, (_, v) => v);
+  for (let v = count - 1; v > 0; v--) {
+    const w = Math.floor((v + 1) * random());
+    [old[v], old[w]] = [old[w], old[v]];
+  }
+  const now = old.map((_, v) => old.indexOf(v));
+  const rings = old.map((v) => [...around.neighbours.subarray(around.neighbourStart[v], around.neighbourStart[v + 1])].map((w) => now[w])); // prettier-ignore
+  const neighbourStart = [0];
+  for (const ring of rings) neighbourStart.push(neighbourStart.at(-1) + ring.length);
+  const positions = Float64Array.from(old.flatMap((v) => [...faces.positions.subarray(3 * v, 3 * v + 3)])); // prettier-ignore
+  const triangles = faces.triangles.map((v) => now[v]);
+  return {
+    faces: { ...faces, positions, triangles },
+    around: { ...around, neighbourStart: Uint32Array.from(neighbourStart), neighbours: Uint32Array.from(rings.flat()) }, // prettier-ignore
+  };
+}
+
 /** What is told of sizes, counted as plainly as can be. */
 function plainSizes(
   { positions: p, triangles, area, stretch, flipped, uvArea, surfaceArea },
@@ -192,15 +212,15 @@ test('sizes are those that are counted plainly; triangles that are flipped or wi
   let [shown, known] = [0, 0];
   for (let round = 0; round < 200; round++) {
     const n = 4 + below(40);
-    const { faces, around } = strip(Array.from({ length: n }, () => 1));
+    const { faces, around } = renumbered(strip(new Array(n).fill(1)), random);
     for (let at = 0, left = 0, size = 0; at < 2 * n; at++, left--) {
       if (left <= 0) [left, size] = [1 + below(8), [0, 0, 0, 5, -5, 9, -9][below(7)]];
       faces.area[at] = size + random();
       faces.stretch[at] = 1 + random();
     }
     // Of odd widths, so that no sum of areas is just the share that is asked for.
-    for (let v = 0, x = 0; v < around.vertexCount; v += 2)
-      faces.positions[3 * v] = faces.positions[3 * v + 3] = x += 0.7 + 0.6 * random();
+    const widths = Array.from({ length: n + 1 }, () => 0.3 * random());
+    for (let v = 0; v < around.vertexCount; v++) faces.positions[3 * v] += widths[faces.positions[3 * v]]; // prettier-ignore
     for (let v = 0; v < around.vertexCount; v++) around.isBoundary[v] = random() < 0.2 ? 1 : 0;
     for (let v = 0; v < around.vertexCount; v++) if (random() < 0.05) around.representative[v] = -1;
     const isOut = Array.from({ length: 2 * n }, () => random() < 0.15);

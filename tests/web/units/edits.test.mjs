@@ -6,9 +6,14 @@ import test from 'node:test';
 import {
   balanced,
   clearCones,
+  deleteCone,
   moveCone,
   placeOrSelect,
+  selectNext,
+  setHandle,
+  setK,
   setPrescription,
+  setTurning,
 } from '../../../web/src/actions/edit_cones.ts';
 import { cancel, runJob } from '../../../web/src/actions/job.ts';
 import { redo, undo } from '../../../web/src/actions/undo.ts';
@@ -17,6 +22,7 @@ import { leftAt } from '../../../web/src/model/gauss_bonnet.ts';
 import { History } from '../../../web/src/model/history.ts';
 import { emptyPrescription } from '../../../web/src/model/prescription.ts';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh } from '../../support/meshes.mjs';
 import { plainFacts } from './plain_facts.mjs';
 
@@ -85,6 +91,96 @@ test('a cone that is moved leaves the copy of the vertex at which it was', () =>
   assert.ok(setPrescription(app, split, 'add cone: 0'));
   moveCone(app, 0, 5, 'a drag');
   assert.deepEqual(doc.prescription.cones, [{ vertex: 5, k }]);
+});
+
+test('whatever is done to cones one after another, they and the selection are as one expects', () => {
+  const random = randomFrom(14);
+  const below = (n) => Math.floor(n * random());
+  const { doc, surface } = opened();
+  const app = { doc };
+  surface.isBoundary = surface.isBoundary.map((_, v) => (v % 7 === 3 ? 1 : 0));
+  // Some vertices were joined with another one, or left out, when the file was read.
+  surface.representative = surface.representative.map((v) => (v % 5 === 4 ? v - 4 : v % 11 === 2 ? -1 : v)); // prettier-ignore
+  const done = new Map();
+  for (let round = 0; round < 150; round++) {
+    doc.begin({ ...emptyPrescription(4, 2, 2), cones: [] });
+    doc.selected = -1;
+    let [cones, selected] = [[], -1];
+    const [turnings, handles] = [
+      [null, null],
+      [null, null],
+    ];
+    for (let step = 0; step < 14; step++) {
+      const at = below(cones.length + 2) - 1; // beyond the ends, too
+      const picked = random() < 0.3 && cones.length > 0 ? cones[below(cones.length)].vertex : below(surface.vertexCount); // prettier-ignore
+      const vertex = surface.representative[picked];
+      const isFree = vertex >= 0 && !surface.isBoundary[vertex];
+      const there = cones.findIndex((cone) => cone.vertex === vertex);
+      const k = [0, -1, 1, 2, 5, 2.5][below(6)];
+      const value = [null, 0, 1, -3, 6, 0.5][below(6)];
+      const acts = {
+        place() {
+          placeOrSelect(app, picked);
+          if (there >= 0) selected = there;
+          else if (isFree) {
+            cones = [...cones, { vertex, k: doc.prescription.cones.at(-1).k }];
+            selected = cones.length - 1;
+          }
+        },
+        next() {
+          selectNext(app, 1);
+          if (cones.length > 0) selected = selected === cones.length - 1 ? 0 : selected + 1;
+        },
+        previous() {
+          selectNext(app, -1);
+          if (cones.length > 0) selected = selected <= 0 ? cones.length - 1 : selected - 1;
+        },
+        number() {
+          setK(app, at, k);
+          if (k >= 1 && Number.isInteger(k)) cones = cones.map((one, i) => (i === at ? { ...one, k } : one)); // prettier-ignore
+        },
+        move() {
+          moveCone(app, at, picked, `${step}`);
+          if (isFree && there < 0) cones = cones.map((one, i) => (i === at ? { ...one, vertex } : one)); // prettier-ignore
+        },
+        delete() {
+          deleteCone(app, at);
+          if (at in cones) selected = -1;
+          cones = cones.filter((_, i) => i !== at);
+        },
+        clear() {
+          if (step % 5 > 0) return; // seldom
+          clearCones(app);
+          [cones, selected] = [[], -1];
+        },
+        fewer() {
+          cones = cones.slice(0, below(cones.length + 1));
+          setPrescription(app, { ...doc.prescription, cones: doc.prescription.cones.slice(0, cones.length) }, 'restore cones'); // prettier-ignore
+          if (selected >= cones.length) selected = -1;
+        },
+        turning() {
+          setTurning(app, at, value);
+          if (at in turnings && value !== 0.5) turnings[at] = value;
+        },
+        handle() {
+          setHandle(app, at, value);
+          if (at in handles) handles[at] = value === null || value === 0.5 ? null : (value + 4) % 4;
+        },
+      };
+      const what = Object.keys(acts)[below(10)];
+      const before = JSON.stringify([cones, selected]);
+      acts[what]();
+      const is = doc.prescription;
+      assert.deepEqual(is.cones.map(({ vertex: v, k: own }) => [v, own]), cones.map(({ vertex: v, k: own }) => [v, own]), what); // prettier-ignore
+      assert.deepEqual(
+        [doc.selected, is.turnings, is.handles],
+        [selected, turnings, handles],
+        what,
+      );
+      if (JSON.stringify([cones, selected]) !== before) done.set(`${what} of ${Math.min(cones.length, 3)}`, true); // prettier-ignore
+    }
+  }
+  for (const what of ['place of 1', 'next of 1', 'next of 3', 'previous of 1', 'number of 1', 'move of 1', 'delete of 0', 'clear of 0']) assert.ok(done.has(what), what); // prettier-ignore
 });
 
 test('undo leads back to cones that Run chooses, and to none that were asked for', async () => {

@@ -61,6 +61,25 @@ test('large files are kept up to a total as well', () => {
   assert.deepEqual(meshes.map(({ freed }) => freed.size), [0, 1, 0, 0]); // prettier-ignore
 });
 
+test('there is room for half a million triangles and 128 MB, to the last triangle and byte', () => {
+  const rooms = { triangles: 500_000, bytes: 128 * 2 ** 20 };
+  for (const [what, room] of Object.entries(rooms)) {
+    for (const parts of [1, 2, 3, 7]) {
+      for (const beyond of [-1, 0, 1]) {
+        // Meshes that fill the room together, the last one, which is the largest, with a little less or more.
+        const sizes = Array.from({ length: parts }, () => Math.floor(room / parts));
+        sizes[parts - 1] += room - sizes.reduce((sum, x) => sum + x, 0) + beyond;
+        const made = sizes.map((size, i) => (what === 'triangles' ? meshOf(size, 0, 0) : meshOf(1 + i, 0, size))); // prettier-ignore
+        const open = meshOf(1, 0, 0);
+        opened([...made, open]);
+        const isKept = made.map(({ freed }) => freed.size === 0);
+        if (beyond <= 0) assert.ok(isKept.every(Boolean), `${parts} of ${what}, ${beyond}`);
+        else assert.equal(isKept.filter((is) => !is).length, 1, `${parts} of ${what}, ${beyond}`);
+      }
+    }
+  }
+});
+
 test('a map that is not shown any more is freed alone; an earlier state of the mesh stays as long as a map has it', () => {
   const [before, now] = [meshOf(10, 2), meshOf(10, 1)];
   const { app, doc } = opened([before]);

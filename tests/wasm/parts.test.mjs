@@ -16,6 +16,7 @@ const { Stopper, stopTest } = await part('leash.js');
 const { progressCall } = await part('progress_call.js');
 const { splitAlongSeams } = await part('split.js');
 const { phrase } = await part('phrases.js');
+const { toGlb: minimalGlb } = await part('glb.js');
 const { filesOf, forCore, listFile } = await part('to_core.js');
 
 /** Requests that read Blobs of this process, and how many there were. */
@@ -296,4 +297,41 @@ test('all that a call makes in the memory of WebAssembly is freed with its handl
   assert.throws(() => core.combine([map, other]), HgpError);
   for (const handle of [second, again, dropped, map, map, model, model]) handle.free();
   assert.deepEqual(owned(), []);
+});
+
+test('positions and triangles become a GLB that a reader finds whole: its chunks, its views, its bounds', () => {
+  const random = randomFrom(5);
+  for (let round = 0; round < 60; round++) {
+    const count = 3 + Math.floor(9 * random());
+    const positions = Array.from({ length: 3 * count }, () => 200 * random() - (round % 3) * 100);
+    // The extremes are anywhere, at the first and the last place, too.
+    const most = round % 2 === 0 ? 1000 : -1000;
+    positions[[0, 1, 2, 3 * count - 1, 3 * count - 2, 3 * count - 3][round % 6]] = most;
+    const triangles = Array.from({ length: 3 * (1 + (round % 4)) }, () => Math.floor(count * random())); // prettier-ignore
+    const glb = minimalGlb(positions, triangles);
+    const view = new DataView(glb.buffer, glb.byteOffset, glb.byteLength);
+    const word = (at) => view.getUint32(at, true);
+    const textBytes = word(12);
+    assert.deepEqual(
+      [word(0), word(4), word(8), word(16)],
+      [0x46546c67, 2, glb.length, 0x4e4f534a],
+    );
+    assert.deepEqual([textBytes % 4, word(20 + textBytes), word(24 + textBytes)], [0, glb.length - 28 - textBytes, 0x004e4942]); // prettier-ignore
+    const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + textBytes)));
+    assert.equal(json.buffers[0].byteLength, glb.length - 28 - textBytes);
+    const [{ attributes, indices }] = json.meshes[0].primitives;
+    const valuesOf = (accessor, Type, size) => {
+      const { bufferView, count: n } = json.accessors[accessor];
+      const { byteOffset = 0, byteLength } = json.bufferViews[bufferView];
+      assert.equal(byteLength, 4 * size * n);
+      const from = 28 + textBytes + byteOffset;
+      return [...new Type(glb.slice(from, from + byteLength).buffer)];
+    };
+    const single = [...Float32Array.from(positions)];
+    assert.deepEqual(valuesOf(attributes.POSITION, Float32Array, 3), single);
+    assert.deepEqual(valuesOf(indices, Uint32Array, 1), triangles);
+    const { min, max } = json.accessors[attributes.POSITION];
+    const along = (i) => single.filter((_, at) => at % 3 === i);
+    for (const i of [0, 1, 2]) assert.deepEqual([min[i], max[i]], [Math.min(...along(i)), Math.max(...along(i))]); // prettier-ignore
+  }
 });

@@ -5,6 +5,8 @@ import test from 'node:test';
 import { modelTag, readHash, writeHash } from '../../../web/src/formats/hash_state.ts';
 import { computeBudget, largestK, waysToSpend } from '../../../web/src/model/gauss_bonnet.ts';
 import { History } from '../../../web/src/model/history.ts';
+import { plainRounds } from '../../../web/src/model/request.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 import {
   angleText,
   emptyPrescription,
@@ -184,4 +186,85 @@ test('cones in the address name the mesh of the file to which they belong', () =
   assert.deepEqual(read(split).cones, split.cones);
   assert.equal(read(plain).model, undefined); // nothing belongs to a model
   assert.equal(readHash('#model=<b>').model, undefined);
+});
+
+test('the address gives back whatever was written into it, down to vertex 0 and from one limit to the other', () => {
+  const random = randomFrom(21);
+  const below = (n) => Math.floor(n * random());
+  const perhaps = (make) => (random() < 0.5 ? undefined : make());
+  const oneOf = (...all) => all[below(all.length)];
+  const list = (make) => Array.from({ length: below(4) }, make);
+  for (let round = 0; round < 400; round++) {
+    const cones = list(() => ({ vertex: below(3), k: 1 + below(3), ...perhaps(() => ({ triangle: below(3) })) })); // prettier-ignore
+    const numbers = () => list(() => oneOf(null, 0, 1, -4));
+    const prescription = {
+      q: oneOf(1, 2, 4, 6, 64),
+      cones,
+      turnings: numbers(),
+      handles: numbers(),
+    };
+    const look = { pattern: oneOf('checker', 'plain', 'cross', 'image', 'material'), overlay: oneOf('none', 'area', 'flips'), tiles: oneOf(1, 2, 24, 1000) }; // prettier-ignore
+    const grid = { isOn: random() < 0.6, mode: oneOf('tile', 'quad'), cells: oneOf(undefined, 1, 500, 1_000_000) }; // prettier-ignore
+    const solve = { grid, improve: oneOf(undefined, -1, -0.75, 0, 0.5, 1), rounds: oneOf(1, plainRounds, 100, 1000), timeLimit: oneOf(undefined, 1, 30, 1_000_000) }; // prettier-ignore
+    const features = perhaps(() => ({ hasCreases: random() < 0.5, hasRims: random() < 0.5, edges: list(() => [below(2), below(3)]), rims: [], ...perhaps(() => ({ isSymmetric: true })) })); // prettier-ignore
+    const [example, camera, model] = [perhaps(() => 'the-cube-2'), perhaps(() => '1,2,3,4,5,6'), perhaps(() => 'c0ffee00.0')]; // prettier-ignore
+    const { hash, omitted } = writeHash({ example, look, prescription, solve, features, camera, model }); // prettier-ignore
+    assert.deepEqual(omitted, []);
+
+    const { edges = [], hasCreases, hasRims, isSymmetric } = features ?? {};
+    const pairs = (all) => all.flatMap((n, i) => (n === null ? [] : [[i, n]]));
+    const some = (all) => (all.length > 0 ? all : undefined);
+    const isPlain = grid.isOn && grid.mode === 'tile' && grid.cells === undefined;
+    const follows = edges.length > 0 || hasRims || isSymmetric;
+    const [turnings, handles] = [some(pairs(prescription.turnings)), some(pairs(prescription.handles))]; // prettier-ignore
+    const expected = {
+      ...{
+        example,
+        camera,
+        q: prescription.q,
+        tiles: look.tiles,
+        cones: some(cones),
+        turnings,
+        handles,
+      },
+      pattern: ['image', 'material'].includes(look.pattern) ? undefined : look.pattern,
+      overlay: look.overlay === 'none' ? undefined : look.overlay,
+      grid: isPlain ? undefined : { ...grid, mode: grid.isOn ? grid.mode : 'tile' },
+      improve: solve.improve,
+      rounds: solve.rounds === plainRounds ? undefined : solve.rounds,
+      timeLimit: solve.timeLimit,
+      features: follows ? { hasCreases: hasCreases && edges.length > 0, hasRims, edges, ...(isSymmetric ? { isSymmetric } : {}) } : undefined, // prettier-ignore
+      model: follows || cones.length > 0 || turnings || handles ? model : undefined,
+    };
+    assert.deepEqual(readHash(hash), expected, hash);
+  }
+});
+
+test('numbers in an address are taken within their ranges, ends included, and otherwise ignored', () => {
+  const ranges = { q: [1, 64], rounds: [1, 1000], limit: [1, 1_000_000], cells: [1, 1_000_000], tiles: [1, 1000], improve: [-1, 1] }; // prettier-ignore
+  for (const [key, [low, high]] of Object.entries(ranges)) {
+    const isWhole = !['tiles', 'improve'].includes(key);
+    const around = [low, high].flatMap((end) => [-1, -0.5, 0, 0.5, 1].map((by) => end + by));
+    for (const n of [...around, -high - 1]) {
+      const read = readHash(`#grid=tile&${key}=${n}`);
+      const is = { ...read, limit: read.timeLimit, cells: read.grid?.cells }[key];
+      const isGood = n >= low && n <= high && (!isWhole || Number.isInteger(n));
+      assert.equal(is, isGood ? n : undefined, `${key}=${n}`);
+    }
+  }
+});
+
+test('a list of up to 8192 letters is in the address, and a longer one is named instead', () => {
+  const look = { pattern: 'checker', overlay: 'none', tiles: 24 };
+  const seen = new Set();
+  for (let longer = 0; longer < 12; longer++) {
+    const cones = Array.from({ length: 877 }, (_, i) => ({ vertex: i < longer ? 100 : 10, k: 3 }));
+    const length = Math.ceil((4 * (7 * 877 + 1 + longer)) / 3);
+    const prescription = { q: 4, cones, turnings: [], handles: [] };
+    const { hash, omitted } = writeHash({ look, prescription, solve: { grid: { isOn: true, mode: 'tile' } } }); // prettier-ignore
+    assert.deepEqual(readHash(hash).cones, length <= 8192 ? cones : undefined, `${length} letters`);
+    assert.equal(omitted.length, length <= 8192 ? 0 : 1);
+    seen.add(length);
+  }
+  assert.ok(seen.has(8192), 'the longest of all');
 });

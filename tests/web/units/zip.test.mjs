@@ -1,7 +1,10 @@
+// ZIP files as the page opens them: byte for byte, whole, within their folder, and not larger than they may be.
+
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { zipSync } from 'fflate';
 import { unzip } from '../../../web/src/formats/zip.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 
 const text = new TextEncoder().encode('v 0 0 0\n'.repeat(40));
 const open = (bytes) => unzip(new Blob([bytes]));
@@ -39,11 +42,26 @@ test('an unknown method of compression is named', async () => {
   await assert.rejects(open(bytes), /a\.obj cannot be unpacked/);
 });
 
-test('a ZIP that unpacks to far more than it should is stopped', async () => {
+test('a ZIP may unpack to two hundred times its size, small ones as if they had four kilobytes, and to no byte more', async () => {
   await assert.rejects(open(zipSync({ 'a.obj': new Uint8Array(3e7) })), /far more than it should/);
+  const random = randomFrom(1);
+  const noise = Uint8Array.from({ length: 6000 }, () => 256 * random()); // cannot be made smaller
+  for (const own of [new Uint8Array(0), noise]) {
+    const made = (length) => zipSync({ 'own.bin': own, 'a.obj': new Uint8Array(length) });
+    // How long zeros have to be, of whose number the size of the archive depends a little.
+    let most = 0;
+    for (let i = 0; i < 20; i++) most = 200 * Math.max(4096, made(most).length) - own.length;
+    assert.equal(most + own.length, 200 * Math.max(4096, made(most).length));
+    assert.equal((await open(made(most))).get('a.obj').length, most);
+    const beyond = made(most + 1);
+    assert.equal(beyond.length, made(most).length);
+    await assert.rejects(open(beyond), /far more than it should/);
+  }
 });
 
-test('too many files are refused', async () => {
-  const files = Object.fromEntries(Array.from({ length: 10_001 }, (_, i) => [`${i}`, text.subarray(0, 1)])); // prettier-ignore
-  await assert.rejects(open(zipSync(files, { level: 0 })), /more than 10000 files/);
+test('ten thousand files are taken, not counting folders, and one more is refused', async () => {
+  const filesOf = (count) => ({ 'folder/': new Uint8Array(0), ...Object.fromEntries(Array.from({ length: count }, (_, i) => [`${i}.obj`, text.subarray(0, 1)])) }); // prettier-ignore
+  const found = await open(zipSync(filesOf(10_000), { level: 0 }));
+  assert.equal(found.size, 10_000);
+  await assert.rejects(open(zipSync(filesOf(10_001), { level: 0 })), /more than 10000 files/);
 });

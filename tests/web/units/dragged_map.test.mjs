@@ -226,3 +226,26 @@ test('the map is that of the cones, or one with this cone alone elsewhere, also 
     assert.deepEqual(await beginsAt({ cones: [{ vertex: 30, k: 5 }, ...cones.slice(1)] }), []);
     assert.deepEqual(await beginsAt({ cones: [cones[0], { vertex: 30, k: 3 }, cones[2]] }), []);
   }));
+
+test('a cone is held until the last drag is over, however many were begun while those before were being stored', () =>
+  inItsTime(async (pass) => {
+    const app = opened(scripted({}, { took: 50 }));
+    const isOver = [];
+    for (let i = 0; i < 3; i++) {
+      const over = beginLive(app, 0);
+      isOver[i] = false;
+      void over.then(() => (isOver[i] = true));
+      assert.equal(app.ui.holdsCone, true);
+      moveTo(app, 20 + i);
+      if (i < 2) dropLive(app, `move cone: ${i}`);
+    }
+    const seen = new Set();
+    for (let at = 0; at < 60; at++) {
+      await pass(10);
+      const left = isOver.filter((is) => !is).length;
+      assert.equal(app.ui.holdsCone, left > 0, `${left} of ${isOver.length} are not over`);
+      seen.add(left);
+      if (at === 50) cancelLive(app);
+    }
+    assert.ok(seen.has(1) && seen.has(0), `${[...seen]}`);
+  }));

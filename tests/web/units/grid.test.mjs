@@ -3,6 +3,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { randomFrom } from '../../mutation/draw.mjs';
 import {
   areSeamsShown,
   canAlign,
@@ -80,6 +81,23 @@ test('the component that needs most cells determines the recommended number', ()
   assert.match(outcome.reason, /too close/);
   const hopeless = gridOutcome(solutionOf([grid(failed), grid({ ...failed, workingCells: 0 })]));
   assert.equal(hopeless.workingCells, 0);
+});
+
+test('a number of cells is recommended where every component that has no aligned map has one that works, be it a single cell', () => {
+  const random = randomFrom(17);
+  const oneOf = (...all) => all[Math.floor(all.length * random())];
+  const seen = new Set();
+  for (let round = 0; round < 200; round++) {
+    const parts = Array.from({ length: oneOf(1, 2, 3) }, () => ({ aligned: random() < 0.4, cells: oneOf(1, 40, 100), workingCells: oneOf(0, 1, 1, 30, 250) })); // prettier-ignore
+    const failed = parts.filter(({ aligned }) => !aligned);
+    const isKnown = failed.length > 0 && failed.every(({ workingCells }) => workingCells !== 0);
+    const total = parts.reduce((sum, { cells }) => sum + cells, 0);
+    const most = Math.max(1, ...failed.map((one) => one.workingCells / one.cells));
+    const { workingCells, cells } = gridOutcome(solutionOf(parts.map((one) => grid(one))));
+    assert.deepEqual([workingCells, cells], [isKnown ? Math.ceil(total * most) : 0, total]);
+    seen.add(isKnown);
+  }
+  assert.equal(seen.size, 2);
 });
 
 test('cells are counted for each cone where there are cones', () => {

@@ -3,6 +3,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { inflateSync } from 'node:zlib';
 import { Matrix4, Vector3 } from 'three';
 import { disposeScene, loadGltfScene } from '../../../web/src/views/gltf_scene.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
@@ -137,4 +138,23 @@ test('a GLB whose header is shorter than its chunks is read, and the file is lef
   const { instances } = await loadGltfScene(sourceOf('a.glb', glb));
   assert.equal(instances.get(0).length, 1);
   assert.deepEqual(glb, before);
+});
+
+test('in place of an image that is missing stands a PNG of one white pixel', async (t) => {
+  const made = [];
+  t.mock.method(URL, 'createObjectURL', (blob) => `blob:${made.push(blob)}`);
+  const { json, bin } = toGltf([cubeMesh(1)]);
+  const file = { ...json, images: [{ uri: 'gone.png' }], textures: [{ source: 0 }], materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }] }; // prettier-ignore
+  file.meshes = json.meshes.map((mesh) => ({ ...mesh, primitives: mesh.primitives.map((one) => ({ ...one, material: 0 })) })); // prettier-ignore
+  const source = sourceOf('a.gltf', JSON.stringify(file), { [json.buffers[0].uri]: bin }, [{ mesh: 0, matrices: [unit] }]); // prettier-ignore
+  await loadGltfScene(source).catch(() => undefined); // what reads images is in browsers alone
+  const images = made.filter(({ type }) => type === 'image/png');
+  assert.ok(images.length > 0);
+  for (const image of images) {
+    const png = Buffer.from(await image.arrayBuffer());
+    assert.equal(png.toString('latin1', 0, 8), '\x89PNG\r\n\x1a\n');
+    assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20), ...png.subarray(24, 26)], [1, 1, 8, 0]); // prettier-ignore
+    const at = png.indexOf('IDAT');
+    assert.deepEqual([...inflateSync(png.subarray(at + 4, at + 4 + png.readUInt32BE(at - 4)))], [0, 255]); // prettier-ignore
+  }
 });

@@ -331,7 +331,8 @@ test('quads: a bend of 20 degrees is smooth, one of 60 is sharp', () => {
       [2, 11],
       [4, 11],
     ]) {
-      if (isSharp) [[one, 0], [other, degrees]].forEach(([c, at]) => near(tilt(c), at, 'flat')); // prettier-ignore
+      if (isSharp)
+        [[one, 0], [other, degrees]].forEach(([c, at]) => near(tilt(c), at, 'flat')); // prettier-ignore
       else near(tilt(one), tilt(other), 'smooth');
       assert.ok(isSharp || (tilt(one) > 0 && tilt(one) < degrees));
     }

@@ -8,6 +8,7 @@
 #include "../models/models.h"
 #include "../models/vectors.h"
 #include "mapped.h"
+#include "part.h"
 
 namespace {
 
@@ -279,6 +280,16 @@ Drawing alignedLines(const Request& request) {
   return drawing;
 }
 
+// A part with sharp edges: the pattern as solved, along them, and the quads of that map.
+Drawing part(const Request& request) {
+  Drawing drawing;
+  const auto draw = [&](const picture::Scene& scene, const Camera& camera) {
+    return drawn(request, scene, camera, kWidth / 3, 420);
+  };
+  drawing.rows = {sideBySide(partPanels(request.isSmall, draw, drawing.isCertified))};
+  return drawing;
+}
+
 struct Figure {
   const char* name;
   const char* about;
@@ -292,6 +303,7 @@ const std::vector<Figure>& all() {
       {"fig3", "a million triangles", largeModel},
       {"fig6", "the two sides of every seam in one colour", twinSeams},
       {"aligned", "lines across seams, as solved and aligned to a grid", alignedLines},
+      {"part", "a part, its lines along its sharp edges, and its quads", part},
       {"fig8", "wrong cone angles, and frames fixed", frameFixing},
       {"fig9",
        "conformal distortion, 0 (pale) to 0.3 (dark): frames on all triangles, as printed, as "

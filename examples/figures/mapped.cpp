@@ -7,6 +7,7 @@
 
 #include "../models/vectors.h"
 #include "hgp/field/prepared_surface.h"
+#include "hgp/parametrize/along/along_features.h"
 
 namespace hgp::figures {
 
@@ -105,8 +106,10 @@ std::optional<Mapped> mapped(const std::string& name, const MeshData& data, cons
     std::fprintf(stderr, "%s: %s\n", name.c_str(), chosen.error().message.c_str());
     return {};
   }
-  Result<Parametrization> result =
-      parametrize(surface, order.spec ? *order.spec : toSpec(*chosen), options);
+  const HolonomySpec spec = order.spec ? *order.spec : toSpec(*chosen);
+  Result<Parametrization> result = spec.features.empty()
+                                       ? parametrize(surface, spec, options)
+                                       : parametrizeAlongFeatures(surface, spec, options);
   if (!result) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), result.error().message.c_str());
     return {};

@@ -222,7 +222,7 @@ MeshData ringsOfAMillion() {
 const std::vector<std::string>& names() {
   static const std::vector<std::string> kNames = {"sphere",  "cube",    "torus",    "knot",
                                                   "vase",    "pretzel", "colander", "creature",
-                                                  "lattice", "rings",   "million"};
+                                                  "lattice", "gear",    "rings",    "million"};
   return kNames;
 }
 
@@ -237,6 +237,7 @@ MeshData byName(const std::string& name) {
   if (name == "creature") return creature(80);
   if (name == "small-pretzel") return pretzel(24);
   if (name == "lattice") return lattice(72);
+  if (name == "gear") return gear(9, 4);
   if (name == "rings") return rings(120);
   if (name == "million-rings") return ringsOfAMillion();
   if (name == "million") return creatureOfAMillion();

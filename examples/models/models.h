@@ -26,6 +26,8 @@ MeshData pretzel(int cells);
 MeshData creature(int cells);
 /// A twisted cubic lattice of rods, genus 28.
 MeshData lattice(int cells);
+/// A gear wheel with a bore, `steps` edges along each side of a tooth: creases of 90° and at its teeth, genus 1.
+MeshData gear(int teeth, int steps);
 /// Five rings blended together in a row, genus 5.
 MeshData rings(int cells);
 /// About 10⁶ triangles of genus 0 and 5.

@@ -17,6 +17,10 @@ constexpr double kEdgeCost = 0.05;
 constexpr double kLargestGain = 12.0;
 /// Nodes that are looked at for the cheapest moves.
 constexpr int kMaxVisited = 2000;
+/// Quarter turns around a vertex without a cone.
+constexpr int kRegular = 4;
+/// A cone of a quarter turn is explained by this much curvature around it.
+constexpr double kExplained = kPi / 8;
 /// Cost of an index per unit beyond its bounds.
 constexpr double kImpossible = 1e6;
 
@@ -61,6 +65,30 @@ class IndexFlow {
     return moves;
   }
 
+  /// Opposite vertices that no curvature explains; nearest ones first from each vertex that has too little.
+  int cancelPairs() {
+    int pairs = 0;
+    for (int n = 0; n < mesh_.vertexCount(); ++n) {
+      while (isLoose(n) && index(n) < kRegular) {
+        int end = -1, visited = 0;
+        search(n, [&](int m, double) {
+          if (m < mesh_.vertexCount() && isLoose(m) && index(m) > kRegular) end = m;
+          return end < 0 && ++visited < kMaxVisited;
+        });
+        if (end < 0) break;
+        const IndexMove move{stepsTo(end, n, 1), 0.0};
+        const double apart = distance_[at(end)];
+        if (curvatureNear(n, 0.5 * apart) > kExplained ||
+            curvatureNear(end, 0.5 * apart) < -kExplained)
+          break;
+        applyMove(mesh_, move, field_);
+        ++pairs;
+      }
+    }
+    field_.moved += pairs;
+    return pairs;
+  }
+
   Status run() {
     std::vector<Where> stuck;
     for (int n = 0; n < static_cast<int>(angle_.size()); ++n) {
@@ -99,6 +127,20 @@ class IndexFlow {
   /// Whether a prescribed index is one that the triangles can have.
   bool canHold(int n) const {
     return lowest(n) >= 1 && lowest(n) <= largestIndex(mesh_, sectors_, n);
+  }
+
+  /// Whether a vertex off Γ may have another index.
+  bool isLoose(int n) const { return exists(n) && given(n) == 0; }
+
+  /// Sum of the curvatures of the vertices off Γ within a distance.
+  double curvatureNear(int n, double reach) {
+    double sum = 0.0;
+    search(n, [&](int m, double d) {
+      if (d > reach) return false;
+      if (m < mesh_.vertexCount()) sum += 2 * kPi - angle_[at(m)];
+      return true;
+    });
+    return sum;
   }
 
   double cost(int n, int value) const {
@@ -222,6 +264,10 @@ void applyMove(const TriMesh& mesh, const IndexMove& move, AlignedField& field) 
 std::vector<IndexMove> cheapestMoves(const TriMesh& mesh, const Geometry& geometry,
                                      AlignedField& field, int node, int sign, std::size_t most) {
   return IndexFlow(mesh, geometry, field).cheapest(node, sign, most);
+}
+
+int cancelFlatPairs(const TriMesh& mesh, const Geometry& geometry, AlignedField& field) {
+  return IndexFlow(mesh, geometry, field).cancelPairs();
 }
 
 Status makeIndicesPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field) {

@@ -17,6 +17,11 @@ namespace hgp {
 Status makeIndicesPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field);
 inline constexpr double kSectorCost = 10.0;
 
+/// Cancels pairs of vertices off Γ with k < 4 and k > 4 between which no feature is, where the surface is flat: within half of
+/// their distance around each of them there is less than π/8 of the curvature that its cone would take up. Such pairs come from
+/// the triangulation. @return how many
+int cancelFlatPairs(const TriMesh& mesh, const Geometry& geometry, AlignedField& field);
+
 /// Moves `units` from the node at tail(h) to the node at head(h), along h or, if it is a feature, along this side of it. The
 /// angles of the field do not change: turns and tilts do, until fitField().
 void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field);

@@ -2,10 +2,12 @@
 // satisfies Gauss–Bonnet; indices are possible.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/features/field_along.h"
+#include "hgp/features/index_flow.h"
 #include "support/creases.h"
 
 namespace hgp {
@@ -154,6 +156,64 @@ TEST(AlignedField, RightAnglesBetweenFeaturesLeaveTheirNeighboursLess) {
     EXPECT_LE(largest, 2 * s.triangles - 1);
     EXPECT_GE(largest, s.triangles - 1);
   }
+}
+
+/// Moves a unit along `steps` edges off Γ, so that there is a vertex with k = 3 and, so far away, one with k = 5.
+void addPair(const TriMesh& mesh, AlignedField& field, VertexId from, int steps) {
+  PerVertex<char> isPassed(at(mesh.vertexCount()), 0);
+  for (VertexId v = from; steps > 0; --steps) {
+    isPassed[v] = 1;
+    HalfedgeId next;
+    for (HalfedgeId h : outgoingHalfedges(mesh, v))
+      if (!isPassed[mesh.head(h)] && !field.sectors.isOnFeature[mesh.head(h)]) next = h;
+    ASSERT_TRUE(next.isValid());
+    moveUnit(mesh, next, 1, field);
+    v = mesh.head(next);
+  }
+}
+
+std::vector<int> conesOf(const TriMesh& mesh, const AlignedField& field) {
+  std::vector<int> cones;
+  for (VertexId v : mesh.vertices())
+    if (!field.sectors.isOnFeature[v] && field.index[at(v.i)] != 4) cones.push_back(v.i);
+  return cones;
+}
+
+TEST(AlignedField, LosesPairsOfConesWhereTheSurfaceIsFlat) {
+  const TriMesh mesh = test::annulus(32, 9).mesh();
+  const Geometry geometry = computeGeometry(mesh);
+  const Result<AlignedField> made = fieldOf(mesh, test::creasesOf(mesh));
+  ASSERT_TRUE(made);
+  ASSERT_TRUE(conesOf(mesh, *made).empty());
+  EXPECT_FALSE(withoutFlatPairs(mesh, geometry, *made));
+  for (const int steps : {1, 2, 5}) {
+    AlignedField field = *made;
+    addPair(mesh, field, VertexId(32 * 3 + 5), steps);
+    addPair(mesh, field, VertexId(32 * 5 + 20), 2);
+    ASSERT_EQ(conesOf(mesh, field).size(), 4u);
+    const std::optional<AlignedField> fewer = withoutFlatPairs(mesh, geometry, field);
+    ASSERT_TRUE(fewer) << steps;
+    EXPECT_TRUE(conesOf(mesh, *fewer).empty()) << steps;
+    EXPECT_EQ(fewer->moved, field.moved + 2);
+    expectLaws("annulus", mesh, *fewer);
+    expectGaussBonnet("annulus", mesh, *fewer);
+    // Prescribed indices stay.
+    field.given = field.index;
+    EXPECT_FALSE(withoutFlatPairs(mesh, geometry, field));
+  }
+}
+
+TEST(AlignedField, KeepsConesThatCurvatureExplains) {
+  const TriMesh mesh = test::doubleTorus(3).mesh();
+  const Geometry geometry = computeGeometry(mesh);
+  const Result<AlignedField> made = fieldOf(mesh, {});
+  ASSERT_TRUE(made);
+  const std::vector<int> cones = conesOf(mesh, *made);
+  EXPECT_GT(
+      std::count_if(cones.begin(), cones.end(), [&](int v) { return made->index[at(v)] < 4; }), 4);
+  EXPECT_GT(
+      std::count_if(cones.begin(), cones.end(), [&](int v) { return made->index[at(v)] > 4; }), 4);
+  EXPECT_FALSE(withoutFlatPairs(mesh, geometry, *made));
 }
 
 TEST(AlignedField, RefusesATriangleWithThreeFeatureEdges) {

@@ -127,6 +127,8 @@ class StepSearch {
     }
   }
 
+  bool isContradicting() const { return contradicting_ > 0; }
+
   void note() const {
     if (contradicting_ > 0)
       result_.notes.push_back(Note("features-contradict", {{"edges", contradicting_}}));
@@ -191,6 +193,45 @@ class StepSearch {
   int contradicting_ = 0, straightened_ = 0, moved_ = 0;
 };
 
+/// Rounds after which the cones of a field are doubted, and those that other cones get before the full search.
+constexpr int kHurriedRounds = 2;
+
+/// The full search, but where pairs of cones on flat places can be left out, a few rounds with all cones and a few without
+/// the pairs come first.
+Result<StraightOutcome> solveFields(PreparedSurface& surface, const ParametrizeOptions& options,
+                                    StraightSetup setup, Parametrization& result) {
+  const auto few = [&] {
+    ParametrizeOptions hurried = options;
+    hurried.maxRounds =
+        std::min(options.maxRounds, static_cast<int>(result.rounds.size()) + kHurriedRounds);
+    return hurried;
+  };
+  const auto isDone = [](const Result<StraightOutcome>& outcome) {
+    return !outcome || outcome->attempt.certificate.isCertified;
+  };
+  if (std::optional<AlignedField> fewer =
+          withoutFlatPairs(surface.mesh(), surface.context().geometry, setup.aligned)) {
+    const ParametrizeOptions firstFew = few();
+    StepSearch all(surface, firstFew, result);
+    Result<StraightOutcome> first = all.run(setup);
+    if (isDone(first)) return first;
+    // Lengths that contradict each other are those of corners, which stay.
+    Result<StraightSetup> other = all.isContradicting()
+                                      ? Result<StraightSetup>(Failure())
+                                      : prepareStraight(surface, setup.seamless.field.spec.features,
+                                                        std::move(*fewer), options, result.times);
+    if (other) {
+      const ParametrizeOptions nextFew = few();
+      Result<StraightOutcome> second = StepSearch(surface, nextFew, result).run(std::move(*other));
+      if (isDone(second)) return second;
+    }
+  }
+  StepSearch search(surface, options, result);
+  Result<StraightOutcome> outcome = search.run(std::move(setup));
+  search.note();
+  return outcome;
+}
+
 /// A certified map is put on the grid that is asked for, and there improved again.
 Status alignToLines(const TriMesh& mesh, const ParametrizeOptions& options,
                     const StraightSetup& setup, MappedSolution& mapped, Parametrization& result) {
@@ -242,14 +283,12 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
   Result<StraightSetup> setup =
       prepareStraight(surface, withRims(mesh, spec.features), spec, options, result.times);
   if (!setup) return std::move(setup).error();
-  StepSearch search(surface, options, result);
-  Result<StraightOutcome> outcome = search.run(std::move(*setup));
+  Result<StraightOutcome> outcome = solveFields(surface, options, std::move(*setup), result);
   if (!outcome) return std::move(outcome).error();
   const SeamlessSetup& seamless = outcome->setup.seamless;
   result.spec = seamless.field.spec;
   if (Status same = checkCones(mesh, spec, outcome->setup); !same) return std::move(same).error();
-  result.notes = seamless.warnings;
-  search.note();
+  result.notes.insert(result.notes.begin(), seamless.warnings.begin(), seamless.warnings.end());
   result.copyOf = seamless.cut.parent.raw();
   if (Status done = finish(mesh, options, *outcome, result); !done) return std::move(done).error();
   result.map = std::move(outcome->attempt.map);

@@ -398,3 +398,33 @@ test('buttons in notes and dialogs: quads, repairs, sizes, rows that were left o
   await click('[data-fix="degenerate"]');
   await until(() => !doc.isBusy && doc.usableModel !== undefined);
 }); // prettier-ignore
+
+test('of very many boundaries two hundred are listed', { skip }, async (t) => {
+  const app = await pageWith(t, { 'eight.obj': toObj(blocks(eight, { open: ['0 0 +z'] })) });
+  const { doc } = app;
+  const [component] = doc.model.info.components;
+  const [loop] = component.boundaryLoops;
+  const boundaryLoops = Array.from({ length: 250 }, (_, i) => ({ ...loop, loop: i }));
+  const info = { ...doc.model.info, components: [{ ...component, boundaryLoops }] };
+  doc.state = { ...doc.state, model: { ...doc.model, info } };
+  await drawn();
+  const numbers = $$('[data-loop]').map(({ dataset }) => Number(dataset.loop));
+  assert.deepEqual(numbers, [...Array(200).keys()]);
+});
+
+test('a file that is chosen twice in a row is opened twice', { skip }, async (t) => {
+  const app = await openPage(t);
+  const { doc } = app;
+  for (const id of ['file', 'folder']) {
+    const input = $(`#${id}`);
+    const file = new File([toObj(cubeMesh(3))], 'cube.obj');
+    Object.defineProperty(input, 'files', { value: [file], configurable: true });
+    Object.defineProperty(input, 'value', { value: 'cube.obj', writable: true });
+    const before = doc.model;
+    input.dispatchEvent(new Event('change'));
+    // A browser says nothing of a choice that is the one before.
+    assert.equal(input.value, '');
+    await until(() => !doc.isBusy && doc.model && doc.model !== before);
+    assert.equal(doc.model.main, 'cube.obj');
+  }
+});

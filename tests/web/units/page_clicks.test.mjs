@@ -410,6 +410,7 @@ test('of very many boundaries two hundred are listed', { skip }, async (t) => {
   await drawn();
   const numbers = $$('[data-loop]').map(({ dataset }) => Number(dataset.loop));
   assert.deepEqual(numbers, [...Array(200).keys()]);
+  assert.match(textOf($('#panel-turnings .note')), /^… and 50 more boundaries/);
 });
 
 test('a file that is chosen twice in a row is opened twice', { skip }, async (t) => {

@@ -6,6 +6,7 @@ import { setHandle, setTurning } from '../actions/edit_cones';
 import { perform } from '../actions/registry';
 import { showPlaces } from '../actions/view';
 import { angleText } from '../model/prescription';
+import { plural } from '../text/format';
 import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
 
@@ -69,13 +70,13 @@ class BoundariesPanel extends Panel {
     </details>`;
   }
 
-  #loops(): TemplateResult[] {
+  #loops(): TemplateResult {
     const { app } = this;
     const { doc } = app;
     const { q, turnings } = doc.prescription;
     const loops = doc.model!.info.components!.flatMap(({ boundaryLoops }) => boundaryLoops);
     const solved = new Map(doc.current?.result.cones.boundaries?.map(({ loop, l }) => [loop, l]));
-    return loops.slice(0, maxRows).map(({ loop, vertices, length, turningAngle, anchor }) => {
+    const rows = loops.slice(0, maxRows).map(({ loop, vertices, length, turningAngle, anchor }) => {
       const natural = Math.round((turningAngle / (2 * Math.PI)) * q);
       const l = turnings[loop] ?? null;
       const found = solved.get(loop);
@@ -101,6 +102,8 @@ class BoundariesPanel extends Panel {
         >
       </div>`;
     });
+    const hidden = loops.length - rows.length;
+    return html`${rows}${hidden > 0 ? html`<p class="note">… and ${plural(hidden, 'more boundary', 'more boundaries')}, which take what the cones leave unless a cone file prescribes them.</p>` : nothing}`;
   }
 
   #handles(): TemplateResult | typeof nothing {

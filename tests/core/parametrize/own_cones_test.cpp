@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 
 #include "core/parametrize/stretched.h"
 #include "hgp/parametrize/parametrize.h"
@@ -33,26 +34,46 @@ int sumOf(const CompleteSpec& spec) {
   return sum;
 }
 
-TEST(OwnCones, AreThoseOfAMapWithoutFoldsWhereNoMapHasTheChosenOnes) {
-  const TriMesh mesh = test::stretched(100.0, 2);
-  ParametrizeOptions options;
-  options.maxRounds = 6;
-  const Result<Parametrization> asked = parametrize(mesh, test::manyCones(mesh), options);
-  options.areConesFree = true;
-  const Result<Parametrization> free = parametrize(mesh, test::manyCones(mesh), options);
-  ASSERT_TRUE(asked && free);
-  EXPECT_FALSE(asked->isCertified);
-  EXPECT_TRUE(free->isCertified);
-  EXPECT_LE(free->rounds.size(), asked->rounds.size());
+/// The same surface and cones, mapped with and without leave to change them.
+struct Pair {
+  Parametrization asked, free;
+};
 
-  EXPECT_TRUE(certify(mesh, toSpec(free->spec), free->map).isCertified);
-  EXPECT_FALSE(certify(mesh, toSpec(asked->spec), free->map).isCertified);
-  EXPECT_EQ(free->spec.handles, asked->spec.handles);
-  EXPECT_EQ(sumOf(free->spec), 0);  // of a torus
-  const Note* note = findNote(free->notes, "map-own-cones");
+/// One for which only other cones have a map. Which these are hangs on the last bits, and so on the processor: nearly all do.
+std::optional<Pair> findUnmapped(double& stretch) {
+  for (const double factor : {1000.0, 400.0, 200.0, 150.0, 100.0}) {
+    const TriMesh mesh = test::stretched(factor, 2);
+    ParametrizeOptions options;
+    options.maxRounds = 6;
+    options.areConesFree = true;
+    Result<Parametrization> free = parametrize(mesh, test::manyCones(mesh), options);
+    if (!free || !findNote(free->notes, "map-own-cones")) continue;
+    options.areConesFree = false;
+    Result<Parametrization> asked = parametrize(mesh, test::manyCones(mesh), options);
+    if (!asked || asked->isCertified) continue;
+    stretch = factor;
+    return Pair{std::move(*asked), std::move(*free)};
+  }
+  return {};
+}
+
+TEST(OwnCones, AreThoseOfAMapWithoutFoldsWhereNoMapHasTheChosenOnes) {
+  double stretch = 0;
+  const std::optional<Pair> pair = findUnmapped(stretch);
+  ASSERT_TRUE(pair);
+  const TriMesh mesh = test::stretched(stretch, 2);
+  const Parametrization &asked = pair->asked, &free = pair->free;
+  EXPECT_TRUE(free.isCertified);
+  EXPECT_LE(free.rounds.size(), asked.rounds.size());
+
+  EXPECT_TRUE(certify(mesh, toSpec(free.spec), free.map).isCertified);
+  EXPECT_FALSE(certify(mesh, toSpec(asked.spec), free.map).isCertified);
+  EXPECT_EQ(free.spec.handles, asked.spec.handles);
+  EXPECT_EQ(sumOf(free.spec), 0);  // of a torus
+  const Note* note = findNote(free.notes, "map-own-cones");
   ASSERT_NE(note, nullptr);
-  EXPECT_EQ(*note, Note("map-own-cones", {{"vertices", countOther(asked->spec, free->spec)}}));
-  EXPECT_GT(countOther(asked->spec, free->spec), 0u);
+  EXPECT_EQ(*note, Note("map-own-cones", {{"vertices", countOther(asked.spec, free.spec)}}));
+  EXPECT_GT(countOther(asked.spec, free.spec), 0u);
 }
 
 TEST(OwnCones, AreNotLookedForWhereTheChosenOnesHaveAMap) {

@@ -196,34 +196,39 @@ class StepSearch {
 /// Rounds after which the cones of a field are doubted, and those that other cones get before the full search.
 constexpr int kHurriedRounds = 2;
 
+/// A few rounds with one field: its map if that is certified, or the error; nothing where others may follow.
+std::optional<Result<StraightOutcome>> solveHurried(PreparedSurface& surface,
+                                                    const ParametrizeOptions& options,
+                                                    StraightSetup setup, bool& isContradicting,
+                                                    Parametrization& result) {
+  ParametrizeOptions few = options;
+  few.maxRounds = static_cast<int>(result.rounds.size()) + kHurriedRounds;
+  StepSearch search(surface, few, result);
+  Result<StraightOutcome> outcome = search.run(std::move(setup));
+  isContradicting = search.isContradicting();
+  if (outcome && !outcome->attempt.certificate.isCertified) return {};
+  if (outcome) search.note();
+  return outcome;
+}
+
 /// The full search, but where pairs of cones on flat places can be left out, a few rounds with all cones and a few without
-/// the pairs come first.
+/// the pairs come first. Runs with few rounds have none to spare for that.
 Result<StraightOutcome> solveFields(PreparedSurface& surface, const ParametrizeOptions& options,
                                     StraightSetup setup, Parametrization& result) {
-  const auto few = [&] {
-    ParametrizeOptions hurried = options;
-    hurried.maxRounds =
-        std::min(options.maxRounds, static_cast<int>(result.rounds.size()) + kHurriedRounds);
-    return hurried;
-  };
-  const auto isDone = [](const Result<StraightOutcome>& outcome) {
-    return !outcome || outcome->attempt.certificate.isCertified;
-  };
-  if (std::optional<AlignedField> fewer =
-          withoutFlatPairs(surface.mesh(), surface.context().geometry, setup.aligned)) {
-    const ParametrizeOptions firstFew = few();
-    StepSearch all(surface, firstFew, result);
-    Result<StraightOutcome> first = all.run(setup);
-    if (isDone(first)) return first;
+  std::optional<AlignedField> fewer;
+  if (options.maxRounds > 2 * kHurriedRounds)
+    fewer = withoutFlatPairs(surface.mesh(), surface.context().geometry, setup.aligned);
+  if (fewer) {
+    bool isContradicting = false;
+    if (auto done = solveHurried(surface, options, setup, isContradicting, result))
+      return std::move(*done);
     // Lengths that contradict each other are those of corners, which stay.
-    Result<StraightSetup> other = all.isContradicting()
-                                      ? Result<StraightSetup>(Failure())
-                                      : prepareStraight(surface, setup.seamless.field.spec.features,
-                                                        std::move(*fewer), options, result.times);
-    if (other) {
-      const ParametrizeOptions nextFew = few();
-      Result<StraightOutcome> second = StepSearch(surface, nextFew, result).run(std::move(*other));
-      if (isDone(second)) return second;
+    if (!isContradicting) {
+      Result<StraightSetup> other = prepareStraight(surface, setup.seamless.field.spec.features,
+                                                    std::move(*fewer), options, result.times);
+      if (other)
+        if (auto done = solveHurried(surface, options, std::move(*other), isContradicting, result))
+          return std::move(*done);
     }
   }
   StepSearch search(surface, options, result);

@@ -43,6 +43,9 @@ bool SumLattice::add(const RealSum& sum) {
       if (!subtract(row, own, times)) return false;
       if (!row.empty() && row.begin()->first == first) std::swap(row, own);
     }
+    // Every step doubles the other factors otherwise.
+    shorten(row, first);
+    shorten(own, first);
   }
   return true;
 }
@@ -60,21 +63,21 @@ std::vector<int> SumLattice::variables() const {
   return out;
 }
 
-/// Takes multiples of the rows of later variables from every row, so that no entry exceeds half of the first one in its column.
-void SumLattice::reduce() {
-  for (auto own = rows_.rbegin(); own != rows_.rend(); ++own) {
-    Row& row = own->second;
-    for (auto later = rows_.upper_bound(own->first); later != rows_.end(); ++later) {
-      const auto entry = row.find(later->first);
-      if (entry == row.end()) continue;
-      const std::int64_t pivot = later->second.at(later->first);
-      const std::int64_t times =
-          std::llround(static_cast<double>(entry->second) / static_cast<double>(pivot));
-      // Where integers would grow too large the row stays as it is, which generates the same sums.
-      if (Row reduced = row; times != 0 && subtract(reduced, later->second, times))
-        row = std::move(reduced);
-    }
+void SumLattice::shorten(Row& row, int first) const {
+  for (auto later = rows_.upper_bound(first); later != rows_.end(); ++later) {
+    const auto entry = row.find(later->first);
+    if (entry == row.end()) continue;
+    const std::int64_t pivot = later->second.at(later->first);
+    const std::int64_t times =
+        std::llround(static_cast<double>(entry->second) / static_cast<double>(pivot));
+    // Where integers would grow too large the row stays as it is, which generates the same sums.
+    if (Row reduced = row; times != 0 && subtract(reduced, later->second, times))
+      row = std::move(reduced);
   }
+}
+
+void SumLattice::reduce() {
+  for (auto own = rows_.rbegin(); own != rows_.rend(); ++own) shorten(own->second, own->first);
 }
 
 Eigen::MatrixXd SumLattice::basis() const {

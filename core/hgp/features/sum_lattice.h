@@ -29,6 +29,9 @@ class SumLattice {
  private:
   using Row = std::map<int, std::int64_t>;  ///< factors in steps of 1/kFactorSteps
   static bool subtract(Row& row, const Row& other, std::int64_t times);
+  /// Takes multiples of the rows of variables after the first from it, so that no entry exceeds half of the first one in
+  /// its column.
+  void shorten(Row& row, int first) const;
   std::map<int, Row> rows_;  ///< by their first variable
 };
 

@@ -73,6 +73,25 @@ TEST(SumLattice, AReducedBasisIsOfTheSameLatticeWithSmallFactors) {
   }
 }
 
+TEST(SumLattice, IntegersThatAreTiedInManyWaysStayExact) {
+  // Sums that generate all integers, each the sum or difference of others, many times over.
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    constexpr int kCount = 60;
+    std::mt19937 random(seed);
+    std::vector<RealSum> sums;
+    for (int i = 0; i < kCount; ++i) sums.push_back({{i, 1.0}});
+    for (int n = 0; n < 3 * kCount; ++n) {
+      const std::size_t i = random() % kCount, j = random() % kCount;
+      if (i != j) addTo(sums[i], RealSum(sums[j]), random() % 2 == 0 ? 1.0 : -1.0);
+    }
+    SumLattice lattice;
+    for (const RealSum& sum : sums) ASSERT_TRUE(lattice.add(sum)) << seed;
+    ASSERT_TRUE(lattice.isComplete());
+    lattice.reduce();
+    EXPECT_EQ(lattice.basis().cwiseAbs(), Eigen::MatrixXd::Identity(kCount, kCount)) << seed;
+  }
+}
+
 TEST(SumLattice, IsNotCompleteWhereASumAloneTiesTwoNumbers) {
   SumLattice lattice;
   ASSERT_TRUE(lattice.add({{0, 1.0}, {1, 1.0}}));

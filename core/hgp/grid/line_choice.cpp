@@ -50,6 +50,13 @@ int LineChoice::broken(const Eigen::VectorXd& y) const {
                     [&](const LineDemand& demand) { return demand.missingAt(y) > 0.0; }));
 }
 
+LineChoice LineChoice::positiveAt(const Eigen::VectorXd& y0) const {
+  std::vector<LineDemand> positive;
+  for (const LineDemand& demand : demands_)
+    if (demand.valueAt(y0) > 0.0) positive.push_back(demand);
+  return {C_, std::move(positive)};
+}
+
 LineChoice::Spread LineChoice::spread(const Eigen::VectorXd& y0, const std::vector<double>& least,
                                       double& work) const {
   const auto size = static_cast<double>(y0.size());

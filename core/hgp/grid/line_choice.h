@@ -26,6 +26,10 @@ class LineChoice {
   /// Broken demands.
   int broken(const Eigen::VectorXd& y) const;
 
+  /// Only the demands aᵀ y ≥ least with aᵀ y₀ > 0: a multiple of y₀ fulfils all of them, so that they do not contradict each
+  /// other.
+  LineChoice positiveAt(const Eigen::VectorXd& y0) const;
+
  private:
   struct Spread {
     Eigen::VectorXd y;

@@ -58,5 +58,23 @@ TEST(LineChoice, AFixedSumIsPushedThrough) {
   EXPECT_EQ(y, (Eigen::VectorXd(5) << 0, 1, 2, 3, 4).finished());
 }
 
+TEST(LineChoice, OnlyWhatAMultipleOfTheGivenPointFulfilsIsAlwaysPossible) {
+  // Five lines in order, and a demand that the first two be in reverse order.
+  Eigen::VectorXd y0(5);
+  y0 << 0.0, 0.1, 0.7, 0.9, 1.6;
+  std::vector<LineDemand> demands = inOrder(5);
+  demands.push_back({{{0, 1.0}, {1, -1.0}}, 0.0});
+  const LineChoice choice(Eigen::MatrixXd::Identity(5, 5), demands);
+  double work = 1e6;
+  EXPECT_GT(choice.broken(choice.near(y0, work).value()), 0);
+  const LineChoice positive = choice.positiveAt(y0);
+  const Eigen::VectorXd y = positive.near(y0, work).value();
+  EXPECT_EQ(positive.broken(y), 0);
+  for (int i = 1; i < 5; ++i) EXPECT_GE(y[i] - y[i - 1], 1.0);
+  EXPECT_EQ(choice.broken(y), 1) << "the reverse order, and no other demand";
+  // What does not hold at the given point is left out on its account alone.
+  EXPECT_EQ(choice.positiveAt(-y0).broken(y), 1);
+}
+
 }  // namespace
 }  // namespace hgp

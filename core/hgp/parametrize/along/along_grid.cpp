@@ -203,10 +203,19 @@ class GridAligner {
     choice_.emplace(std::move(covariance), std::move(demands));
   }
 
+  /// Integers near the map at this scale; nothing where that takes more work than is left.
+  std::optional<Eigen::VectorXd> choose(double scale) {
+    std::optional<Eigen::VectorXd> chosen = choice_->near(scale * y0_, work_);
+    if (!chosen || choice_->broken(*chosen) == 0) return chosen;
+    // A corner that lies slightly on the other side of a line in the map may be bound to that side by another demand.
+    choice_ = choice_->positiveAt(y0_);
+    return choice_->near(scale * y0_, work_);
+  }
+
   /// One density; true when there is nothing more to do.
   bool attempt(double factor) {
     const double scale = factor * scale_;
-    const std::optional<Eigen::VectorXd> chosen = choice_->near(scale * y0_, work_);
+    const std::optional<Eigen::VectorXd> chosen = choose(scale);
     isExhausted_ = !chosen;
     if (!chosen) {
       out_.report.attempts.push_back({"work limit", factor * factor, 0});

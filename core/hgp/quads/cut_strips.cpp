@@ -130,6 +130,7 @@ QuadMesh Net::quads() {
     out.face.push_back(fine_.face[at(v)]);
     out.coneVertex.push_back(fine_.coneVertex[at(v)]);
     out.lines.push_back(fine_.lines[at(v)]);
+    out.isOnFeature.push_back(fine_.isOnFeature[at(v)]);
     return name[at(v)];
   };
   std::vector<char> isDone(at(halfedgeCount()), 0);
@@ -170,6 +171,7 @@ QuadNet Net::plain() {
         out.middle.push_back(fine_.positions[at(v)]);
         out.middleNormal.push_back(fine_.normals[at(v)]);
         out.middleFace.push_back(fine_.face[at(v)]);
+        out.isFeature.push_back(fine_.isOnFeature[at(v)]);
       }
       out.edge[n][k] = name[at(v)];
     }
@@ -213,8 +215,9 @@ static std::optional<CutQuads> withLines(Net& net, const QuadMesh& plain) {
   return {};
 }
 
-Result<CutQuads> cutStrips(const TriMesh& mesh, const UvMap& map, int q) {
-  Result<QuadMesh> fine = extractQuads(mesh, map, q, kMaxHalvings);
+Result<CutQuads> cutStrips(const TriMesh& mesh, const UvMap& map, int q,
+                           const std::vector<EdgeId>& features) {
+  Result<QuadMesh> fine = extractQuads(mesh, map, q, kMaxHalvings, features);
   if (!fine) return fine.error();
   Net net(std::move(*fine));
   QuadNet plain = net.plain();

@@ -24,8 +24,10 @@ inline constexpr int kWorthwhile = 2;
 /// quads that meet edge to edge. It crosses one of the edges that have the same ends, or both; of the lines that do, the
 /// shortest is added. Lines added may make further ones necessary, a quarter of a cell from a grid line. Strips may run
 /// over much of the surface.
+/// `features`: as for extractQuads; edges along them are not replaced.
 /// Fails as extractQuads; with kUnsupported where multiple edges remain.
 /// The quads of two halvings are extracted on the way.
-Result<CutQuads> cutStrips(const TriMesh& mesh, const UvMap& map, int q);
+Result<CutQuads> cutStrips(const TriMesh& mesh, const UvMap& map, int q,
+                           const std::vector<EdgeId>& features = {});
 
 }  // namespace hgp

@@ -54,6 +54,7 @@ int GridPoints::addNode(FaceId f, const LatticePoint& p, const Vec3& position, c
   out_.positions.push_back(position);
   out_.normals.push_back(normal);
   out_.coneVertex.push_back(-1);
+  out_.isOnFeature.push_back(0);
   return static_cast<int>(out_.positions.size()) - 1;
 }
 

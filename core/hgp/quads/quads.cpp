@@ -30,7 +30,8 @@ class Extraction {
   explicit Extraction(const LatticeMap& lattice)
       : lattice_(lattice), mesh_(lattice.mesh()), points_(lattice, out_) {}
 
-  Result<QuadMesh> run() {
+  Result<QuadMesh> run(const std::vector<EdgeId>& features) {
+    mark(features);
     makeDarts();
     for (std::size_t d = 0; d < darts_.size(); ++d) trace(static_cast<int>(d));
     for (std::size_t d = 0; d < darts_.size(); ++d) {
@@ -47,6 +48,17 @@ class Extraction {
   }
 
  private:
+  void mark(const std::vector<EdgeId>& features) {
+    const auto set = [&](int node) {
+      if (node >= 0) out_.isOnFeature[hgp::at(node)] = 1;
+    };
+    for (EdgeId e : features) {
+      set(points_.atVertex(mesh_.tail(mesh_.halfedge(e))));
+      set(points_.atVertex(mesh_.head(mesh_.halfedge(e))));
+      for (const GridPoints::Point& point : points_.inside(e)) set(point.node);
+    }
+  }
+
   /// Adds the darts of a node in face f from `start` (included) to `end` (excluded), counterclockwise.
   void addDarts(int node, FaceId f, const LatticePoint& p, const LatticePoint& start,
                 const LatticePoint& end) {
@@ -197,12 +209,14 @@ class Extraction {
       out_.normals[hgp::at(count)] = out_.normals[v];
       out_.face[hgp::at(count)] = out_.face[v];
       out_.lines[hgp::at(count)] = out_.lines[v];
+      out_.isOnFeature[hgp::at(count)] = out_.isOnFeature[v];
       out_.coneVertex[hgp::at(count++)] = out_.coneVertex[v];
     }
     out_.positions.resize(hgp::at(count));
     out_.normals.resize(hgp::at(count));
     out_.face.resize(hgp::at(count));
     out_.lines.resize(hgp::at(count));
+    out_.isOnFeature.resize(hgp::at(count));
     out_.coneVertex.resize(hgp::at(count));
     for (auto& quad : out_.quads)
       for (int& v : quad) v = name[hgp::at(v)];
@@ -220,7 +234,8 @@ class Extraction {
 
 }  // namespace
 
-Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings) {
+Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings,
+                              const std::vector<EdgeId>& features) {
   if (q != 2 && q != 4)
     return noQuads(formatText("quads need rotations by quarter or half turns, not q = %d", q));
   const double cells = std::ldexp(mapArea(map), 2 * halvings);
@@ -234,7 +249,7 @@ Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int 
   for (Vec2& p : halved.uv) p = {std::ldexp(p[0], halvings), std::ldexp(p[1], halvings)};
   Result<LatticeMap> lattice = LatticeMap::make(mesh, halved);
   if (!lattice) return lattice.error();
-  return Extraction(*lattice).run();
+  return Extraction(*lattice).run(features);
 }
 
 }  // namespace hgp

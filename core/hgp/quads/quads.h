@@ -18,9 +18,12 @@ inline constexpr int kMaxQuads = 3'000'000;
 ///
 /// `halvings`: how often cells are cut into four, that is, the grid of 2^halvings times the map.
 ///
+/// `features`: edges whose vertices in the quad mesh are marked (QuadMesh::isOnFeature).
+///
 /// Closed surfaces: only quads, as many as that map's area, V − E + F = χ, valence k at a cone.
 /// Fails with kUnsupported, the rule and the place where the map is not such a grid.
 /// Fails with kLimit above kMaxQuads.
-Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings = 0);
+Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings = 0,
+                              const std::vector<EdgeId>& features = {});
 
 }  // namespace hgp

@@ -55,6 +55,7 @@ class Refill {
       if (filling && (!best || filling->cost < best->cost)) best = filling;
     };
     for (const auto& [a, b] : edgesBetween(ends)) {
+      if (net_.isFeature[at(edgeOf(a))] != 0) continue;
       consider(a, b);
       consider(b, a);
     }
@@ -140,6 +141,7 @@ class Refill {
     mesh.face.push_back(net_.middleFace[at(shared)]);
     mesh.coneVertex.push_back(-1);
     mesh.lines.push_back({0, 0});
+    mesh.isOnFeature.push_back(0);
     valence_.push_back(0);
     const int center = static_cast<int>(mesh.positions.size()) - 1;
     for (const int end :
@@ -171,6 +173,7 @@ class Refill {
     net_.middle.push_back(p);
     net_.middleNormal.push_back(n);
     net_.middleFace.push_back(net_.mesh.face[at(a)]);
+    net_.isFeature.push_back(0);
   }
 
   QuadNet net_;

@@ -15,6 +15,7 @@ struct QuadNet {
   std::vector<std::array<int, 4>> edge;
   std::vector<Vec3> middle, middleNormal;  ///< per edge: its middle on the surface …
   std::vector<FaceId> middleFace;          ///< … and the face that holds it
+  std::vector<char> isFeature;             ///< per edge: along a feature, where it stays
 };
 
 struct Refilled {

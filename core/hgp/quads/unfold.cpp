@@ -74,9 +74,9 @@ class Unfolding {
     return !(dot(normal, sum) > 0.0);
   }
 
-  /// Inside, and no cone: every neighbour is one of two quads at the vertex.
+  /// Inside, no cone, and on no feature: every neighbour is one of two quads at the vertex.
   bool mayMove(int v) const {
-    if (quads_.coneVertex[at(v)] >= 0) return false;
+    if (quads_.coneVertex[at(v)] >= 0 || quads_.isOnFeature[at(v)] != 0) return false;
     std::map<int, int> uses;
     for (const int n : quadsAt_[at(v)]) {
       const auto& q = quads_.quads[at(n)];

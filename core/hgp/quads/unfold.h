@@ -7,7 +7,7 @@
 namespace hgp {
 
 /// Moves vertices of quads that countFoldedInSpace() counts along the surface, by less than an edge, as long as that lowers
-/// their number or the folds. Cones and vertices at the boundary stay, and so does what does not touch such a
+/// their number or the folds. Cones and vertices on features and at the boundary stay, and so does what does not touch such a
 /// quad. Returns how many quads less are folded.
 int unfoldInSpace(const TriMesh& mesh, QuadMesh& quads);
 

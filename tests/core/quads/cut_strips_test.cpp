@@ -85,6 +85,7 @@ QuadNet torusNet(int m, int n) {
     net.mesh.face.push_back(FaceId(0));
     net.mesh.coneVertex.push_back(-1);
     net.mesh.lines.push_back({0, 0});
+    net.mesh.isOnFeature.push_back(0);
   }
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) {
@@ -97,6 +98,7 @@ QuadNet torusNet(int m, int n) {
   net.middle.assign(at(2 * m * n), Vec3{0.3, 0.4, 0.0});
   net.middleNormal.assign(at(2 * m * n), Vec3{0, 0, 1});
   net.middleFace.assign(at(2 * m * n), FaceId(0));
+  net.isFeature.assign(at(2 * m * n), 0);
   return net;
 }
 
@@ -116,6 +118,8 @@ TEST(Refill, SeparatesOnePairPerFillingAndKeepsThePlaceOfCones) {
     atCone += static_cast<int>(std::count(quad.begin(), quad.end(), 0));
   EXPECT_EQ(atCone, 4);
   EXPECT_FALSE(refill(torusNet(5, 1))) << "quads that meet themselves have no filling";
+  net.isFeature.assign(net.middle.size(), 1);
+  EXPECT_FALSE(refill(net)) << "edges along features stay";
   const std::optional<Refilled> none = refill(torusNet(4, 3));
   ASSERT_TRUE(none);
   EXPECT_EQ(none->count, 0);

@@ -66,6 +66,7 @@ TEST(WalkStraight, GoesOverTheEdgesOfACube) {
 struct Plate {
   test::Shape shape = test::jittered(test::icosphere(12), 0.002);
   TriMesh mesh;
+  UvMap map;
   QuadMesh quads;
 
   Plate() : mesh(thin()) {
@@ -75,7 +76,8 @@ struct Plate {
     const Result<Parametrization> run = parametrize(mesh, toSpec(*spec), options);
     std::vector<VertexId> cones;
     for (const ConePoint& cone : spec->cones) cones.push_back(cone.vertex);
-    quads = *extractQuads(mesh, *snapAligned(mesh, run->map, 4, cones), 4);
+    map = *snapAligned(mesh, run->map, 4, cones);
+    quads = *extractQuads(mesh, map, 4);
   }
   TriMesh thin() {
     for (Vec3& p : shape.data.positions) p = {p[0], 0.7 * p[1] + 0.2 * p[0] * p[0], 0.03 * p[2]};
@@ -109,6 +111,49 @@ TEST(UnfoldInSpace, LeavesFewerFoldedQuadsMovesAlongTheSurfaceAndKeepsConesAndTh
   }
   EXPECT_GT(moved, 0);
   EXPECT_LT(moved, static_cast<int>(before.positions.size()) / 4);
+}
+
+TEST(UnfoldInSpace, WhatIsOnFeaturesStays) {
+  Plate plate;
+  const QuadMesh before = plate.quads;
+  unfoldInSpace(plate.mesh, plate.quads);
+  std::vector<char> isMoved;
+  for (std::size_t v = 0; v < before.positions.size(); ++v)
+    isMoved.push_back(plate.quads.positions[v] == before.positions[v] ? 0 : 1);
+  QuadMesh held = before;
+  held.isOnFeature = isMoved;
+  unfoldInSpace(plate.mesh, held);
+  for (std::size_t v = 0; v < before.positions.size(); ++v)
+    if (isMoved[v] != 0) EXPECT_EQ(held.positions[v], before.positions[v]);
+}
+
+double distanceFromEdge(const TriMesh& mesh, EdgeId e, const Vec3& p) {
+  const Vec3 &a = mesh.position(mesh.tail(mesh.halfedge(e))),
+             &b = mesh.position(mesh.head(mesh.halfedge(e)));
+  const Vec3 along = subtract(b, a);
+  const double t = std::clamp(dot(subtract(p, a), along) / dot(along, along), 0.0, 1.0);
+  return distance(p, add(a, scaled(along, t)));
+}
+
+TEST(QuadMesh, MarksJustTheVerticesOnTheGivenEdges) {
+  const Plate plate;
+  std::vector<EdgeId> features;
+  for (EdgeId e : plate.mesh.edges())
+    if (e.i % 7 == 3) features.push_back(e);
+  for (const int halvings : {0, 1}) {
+    const QuadMesh quads = *extractQuads(plate.mesh, plate.map, 4, halvings, features);
+    ASSERT_EQ(quads.isOnFeature.size(), quads.positions.size());
+    std::size_t marked = 0;
+    for (std::size_t v = 0; v < quads.positions.size(); ++v) {
+      const bool isOn = std::any_of(features.begin(), features.end(), [&](EdgeId e) {
+        return distanceFromEdge(plate.mesh, e, quads.positions[v]) < 1e-12;
+      });
+      EXPECT_EQ(quads.isOnFeature[v] != 0, isOn) << v;
+      marked += isOn ? 1 : 0;
+    }
+    EXPECT_GT(marked, 0u);
+    EXPECT_LT(marked, quads.positions.size() / 2);
+  }
 }
 
 }  // namespace

@@ -14,20 +14,21 @@ namespace {
 
 /// The quads of one component without edges that files cannot tell apart: strips are cut where there are some and,
 /// should that fail, all cells.
-Result<QuadMesh> quadsOf(const TriMesh& mesh, const UvMap& map, int q, QuadFile& out) {
-  Result<QuadMesh> quads = extractQuads(mesh, map, q);
+Result<QuadMesh> quadsOf(const TriMesh& mesh, const UvMap& map, int q,
+                         const std::vector<EdgeId>& features, QuadFile& out) {
+  Result<QuadMesh> quads = extractQuads(mesh, map, q, 0, features);
   if (!quads) return quads;
   const int pairs = countMultipleEdges(*quads).pairs;
   out.multipleEdges += pairs;
   if (pairs == 0) return quads;
-  if (Result<CutQuads> cut = cutStrips(mesh, map, q)) {
+  if (Result<CutQuads> cut = cutStrips(mesh, map, q, features)) {
     out.cuts += cut->cuts;
     out.replaced += cut->replaced;
     return std::move(cut->quads);
   }
   for (int halvings = 1; halvings <= kMaxHalvings; ++halvings) {
     out.halvings = std::max(out.halvings, halvings);
-    quads = extractQuads(mesh, map, q, halvings);
+    quads = extractQuads(mesh, map, q, halvings, features);
     if (!quads || countMultipleEdges(*quads).pairs == 0) break;
   }
   return quads;
@@ -72,8 +73,9 @@ Result<QuadFile> Session::quads(const std::string& name, const io::Resolver& res
     QuadsOnInput all(model);
     for (std::size_t p = 0; p < model.components.size(); ++p) {
       const ModelComponent& component = model.components[p];
-      Result<QuadMesh> part = quadsOf(component.mesh, mapOfComponent(component, stored.map),
-                                      stored.certificates[p].q, out);
+      Result<QuadMesh> part =
+          quadsOf(component.mesh, mapOfComponent(component, stored.map), stored.certificates[p].q,
+                  state_->shown().solved->components[p].spec.features, out);
       if (!part) return toSurfaceIds(model, component, part.error());
       unfoldInSpace(component.mesh, *part);
       out.foldedQuads += countMultipleEdges(*part).foldedQuads;

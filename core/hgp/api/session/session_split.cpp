@@ -11,16 +11,35 @@
 namespace hgp::api {
 namespace {
 
-std::vector<char> withoutMap(const std::vector<Certificate>& certificates) {
-  std::vector<char> isOpen;
-  isOpen.reserve(certificates.size());
-  for (const Certificate& c : certificates) isOpen.push_back(!c.isCertified);
-  return isOpen;
+/// Whether lines stay apart on no grid of the density that was asked for, nor of a finer one: its triangles have no room.
+bool isWithoutGrid(const Parametrization& component) {
+  const std::optional<GridReport>& grid = component.grid;
+  return grid && !grid->isAligned && grid->reason && grid->reason->code == "features-no-integers" &&
+         !(grid->workingCells > 0.0);
 }
 
-int countOf(const std::vector<Certificate>& certificates) {
-  return static_cast<int>(std::count_if(certificates.begin(), certificates.end(),
-                                        [](const Certificate& c) { return c.isCertified; }));
+/// What a run reached.
+struct Reached {
+  std::vector<char> isOpen;  ///< per component: has no map, or none on the grid that was asked for
+  int certified = -1, aligned = -1;  ///< components; -1 without a run
+
+  bool isWhole() const { return std::find(isOpen.begin(), isOpen.end(), 1) == isOpen.end(); }
+  bool hasAllMaps() const { return certified == static_cast<int>(isOpen.size()); }
+  bool isMoreThan(const Reached& other) const {
+    return std::pair(certified, aligned) > std::pair(other.certified, other.aligned);
+  }
+};
+
+Reached reachedBy(const std::vector<Certificate>& certificates, const RunRecord& run) {
+  Reached out{{}, 0, 0};
+  for (std::size_t c = 0; c < certificates.size(); ++c) {
+    const bool isCertified = certificates[c].isCertified;
+    const bool isAligned = c >= run.components.size() || !isWithoutGrid(run.components[c]);
+    out.certified += isCertified ? 1 : 0;
+    out.aligned += isCertified && isAligned ? 1 : 0;
+    out.isOpen.push_back(isCertified && isAligned ? 0 : 1);
+  }
+  return out;
 }
 
 /// Ids of a split surface mean nothing to its user.
@@ -29,13 +48,15 @@ Failure withoutPlaces(Failure failure) {
   return failure;
 }
 
-Note splitNote(const RefinedFacts& facts, const Model& refined, bool crossesPlane) {
-  return Note(crossesPlane ? "symmetric-split" : "features-split",
-              {{"edges", facts.edges},
-               {"vertices", refined.source().mesh.positions.size()},
-               {"triangles", refined.source().mesh.triangles.size()},
-               {"verticesBefore", facts.verticesBefore},
-               {"trianglesBefore", facts.trianglesBefore}});
+Note splitNote(const RefinedFacts& facts, const Model& refined, bool crossesPlane, bool isForGrid) {
+  Note note(crossesPlane ? "symmetric-split" : "features-split",
+            {{"edges", facts.edges},
+             {"vertices", refined.source().mesh.positions.size()},
+             {"triangles", refined.source().mesh.triangles.size()},
+             {"verticesBefore", facts.verticesBefore},
+             {"trianglesBefore", facts.trianglesBefore}});
+  if (!crossesPlane) note.values.push_back({"grid", isForGrid ? 1 : 0});
+  return note;
 }
 
 bool isFinal(const Status& done) {
@@ -51,7 +72,7 @@ std::size_t roundsOf(const RunRecord& run) {
 
 }  // namespace
 
-/// Solves on the split surface, with its facts and a note in `run`.
+/// Solves on the split surface, with its facts in `run`.
 Result<std::shared_ptr<Session::State>> Session::State::solveOn(SplitModel& made,
                                                                 const SolveOptions& options,
                                                                 RunRecord& run) {
@@ -61,7 +82,6 @@ Result<std::shared_ptr<Session::State>> Session::State::solveOn(SplitModel& made
   if (done) done = next->solveWithWorkingCells(options, run);
   if (!done) return isFinal(done) ? done.error() : withoutPlaces(done.error());
   run.refined = std::move(made.facts);
-  run.notes.push_back(splitNote(*run.refined, *next->model, made.crossesPlane));
   return next;
 }
 
@@ -69,23 +89,22 @@ Status Session::State::solveSplit(const Request& request, const SolveOptions& op
                                   RunRecord& run) {
   const auto start = std::chrono::steady_clock::now();
   const bool mustSplit = isCrowded(*model, request);
-  std::vector<char> isOpen(model->components.size(), 1);
   Status first = Done{};
-  int best = -1;
+  Reached best{std::vector<char>(model->components.size(), 1)};
   if (!mustSplit) {
     first = solveRequest(request, options, run);
     if (first) first = solveWithWorkingCells(options, run);
-    if (isFinal(first) || (first && solved->stored.isCertified)) return first;
-    if (first) isOpen = withoutMap(solved->stored.certificates);
-    if (first) best = countOf(solved->stored.certificates);
+    if (isFinal(first)) return first;
+    if (first) best = reachedBy(solved->stored.certificates, run);
+    if (best.isWhole()) return first;
   }
   std::size_t rounds = roundsOf(run), last = model->source().mesh.triangles.size();
   std::string tried;
   for (const Splits splits : kAllSplits) {
     SplitModel made(*model, request);
-    const Status split = made.split(splits, isOpen);
+    const Status split = made.split(splits, best.isOpen);
     const std::size_t size = made.model->source().mesh.triangles.size();
-    if (!split && first && best < 0) first = split.error();
+    if (!split && first && best.certified < 0) first = split.error();
     const bool isTooLarge = splits != Splits::kCrowded && size > kLargestRefinement;
     if (!split || !made.refined || size == last || isTooLarge) continue;
     last = size;
@@ -97,20 +116,22 @@ Status Session::State::solveSplit(const Request& request, const SolveOptions& op
     if (!next && isFinal(next.error())) return next.error();
     tried += (tried.empty() ? "" : ", ") + std::to_string(size);
     const std::size_t before = std::exchange(rounds, rounds + roundsOf(again));
-    if (!next && first && best < 0) first = next.error();
+    if (!next && first && best.certified < 0) first = next.error();
     if (!next) continue;
-    const std::vector<Certificate>& certificates = (*next)->solved->stored.certificates;
-    if (mustSplit) isOpen = withoutMap(certificates);
-    if (countOf(certificates) <= best) continue;
-    best = countOf(certificates);
+    Reached reached = reachedBy((*next)->solved->stored.certificates, again);
+    if (!reached.isMoreThan(best)) continue;
+    const bool isForGrid = best.hasAllMaps();
+    best = std::move(reached);
     again.refined->roundsBefore = before;
+    again.notes.push_back(splitNote(*again.refined, *(*next)->model, made.crossesPlane, isForGrid));
     again.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     (*next)->publish(again);
     finer = std::move(*next);
-    if (finer->solved->stored.isCertified) break;
+    if (best.isWhole()) break;
   }
   if (!finer && first && !tried.empty())
-    run.notes.push_back(Note("features-split-in-vain", {{"triangles", tried}}));
+    run.notes.push_back(Note("features-split-in-vain",
+                             {{"grid", best.hasAllMaps() ? 1 : 0}, {"triangles", tried}}));
   HGP_CHECK(finer || !mustSplit || !first, "a surface without splits is left without a map");
   return finer ? Status(Done{}) : first;
 }

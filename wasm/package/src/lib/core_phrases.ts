@@ -170,9 +170,9 @@ export const corePhrases = {
   'features-moved':
     '{units|cone or corner was|cones and corners were} moved, because with those of the smoothest field lengths contradict each other',
   'features-split':
-    'THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, because a map along all features has no room otherwise. The certified and written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids, new ones follow, and halves of features are features.',
+    'THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, because a map along all features[grid:, on the lines of a grid,] has no room otherwise. The certified and written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids, new ones follow, and halves of features are features.',
   'features-split-in-vain':
-    'no map along these features on the mesh with split edges ({triangles} triangles) either',
+    'no map along these features[grid: on the lines of a grid] on the mesh with split edges ({triangles} triangles) either',
   'split-as-polygons':
     'this file cannot store split edges: only positions and triangles are kept, no materials, normals or other attributes',
   'features-no-grid': 'the lines of these features and the seams have no common grid',

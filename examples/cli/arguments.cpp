@@ -93,6 +93,7 @@ class Parser {
       app_.parse(count, words);
       const CLI::App* used = app_.get_subcommands().front();
       refuseDuplicates(*used);
+      refuseOptionsAsValues(*used);
       if (used == table_.help) return print(help());
       if (used == table_.completion) return print(completionScript(app_, words_.shell));
       if (used == table_.manual) return print(manualPage(app_, api::version()));
@@ -268,6 +269,19 @@ class Parser {
     for (const CLI::Option* option : app.get_options()) {
       if (option->count() > 1 && !isRepeatable(option->get_name())) {
         throw CLI::ValidationError(option->get_name(), "is given more than once");
+      }
+    }
+  }
+
+  /// `--json --creases` would write a file of that name, and no creases would be followed.
+  static void refuseOptionsAsValues(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& value : option->results()) {
+        if (value.compare(0, 2, "--") != 0 || app.get_option_no_throw(value) == nullptr) continue;
+        throw CLI::ValidationError(option->get_name(), "needs a value, and '" + value +
+                                                           "' is an option; a file of that name "
+                                                           "is ./" +
+                                                           value);
       }
     }
   }

@@ -114,6 +114,23 @@ test('help is the same by every name, and goes to standard output', () => {
   assert.match(wrong.err, /did you mean param\?/);
 });
 
+test('an option is no value of the option before it', () => {
+  for (const [option, next] of [
+    ['-o', '--force'],
+    ['--json', '--creases'],
+    ['--cones', '--quiet'],
+  ]) {
+    // prettier-ignore
+    const rest = option === '-o' ? [] : ['-o', 'out.obj'];
+    const { code, err } = run(['param', 'mesh.obj', ...rest, option, next]);
+    assert.equal(code, 2, option);
+    assert.ok(err.includes(`'${next}'`), err);
+    assert.ok(!existsSync(at(next)), 'no file of that name');
+  }
+  assert.equal(run(['param', 'mesh.obj', '-o', 'out.obj', '--json', './--creases']).code, 0);
+  assert.ok(existsSync(at('--creases')));
+});
+
 test('a word that is not understood is named', () => {
   const mesh = ['x.obj', '-o', 'y.obj'];
   for (const [word, args] of [

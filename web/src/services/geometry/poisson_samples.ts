@@ -2,7 +2,7 @@
 
 import type { Surface } from '../../model/types';
 import { randomSequence } from './random_sequence';
-import { areaVector, lengthOf } from './triangle';
+import { areaOf } from './triangle';
 
 export interface Sample {
   triangle: number;
@@ -58,13 +58,6 @@ function sidesOf({ positions: p, triangles }: SampledSurface, t: number): { e: V
     e: [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]],
     f: [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]],
   };
-}
-
-const vector = new Float64Array(3);
-
-function areaOf({ positions: p, triangles }: SampledSurface, t: number): number {
-  areaVector(p, 3 * triangles[3 * t], 3 * triangles[3 * t + 1], 3 * triangles[3 * t + 2], vector);
-  return lengthOf(vector) / 2;
 }
 
 /** The spacing of crosses for this number of tiles along the diagonal. */

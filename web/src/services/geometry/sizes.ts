@@ -4,7 +4,7 @@
 import type { SizePlaces, Sizes } from '../../model/measures';
 import type { Surface } from '../../model/types';
 import { randomSequence } from './random_sequence';
-import { areaVector, lengthOf } from './triangle';
+import { areaOf } from './triangle';
 
 type Values = ArrayLike<number>;
 
@@ -77,19 +77,12 @@ const maxPlaces = 8;
 const minVertices = 3; // of a place: fewer are one odd triangle
 
 /** The areas of the triangles; 0 for those that are not positive in the map. */
-export function weightsOf({
-  triangles,
-  positions,
-  flipped,
-}: Pick<FaceSizes, 'triangles' | 'positions' | 'flipped'>): Float64Array {
-  const weights = new Float64Array(triangles.length / 3);
-  const normal = new Float64Array(3);
-  for (let t = 0; t < weights.length; t++) {
-    const [a, b, c] = [3 * triangles[3 * t], 3 * triangles[3 * t + 1], 3 * triangles[3 * t + 2]];
-    areaVector(positions, a, b, c, normal);
-    weights[t] = lengthOf(normal) / 2;
-  }
-  for (const t of flipped) weights[t] = 0; // not measured
+export function weightsOf(
+  faces: Pick<FaceSizes, 'triangles' | 'positions' | 'flipped'>,
+): Float64Array {
+  const weights = new Float64Array(faces.triangles.length / 3);
+  for (let t = 0; t < weights.length; t++) weights[t] = areaOf(faces, t);
+  for (const t of faces.flipped) weights[t] = 0; // not measured
   return weights;
 }
 

@@ -18,5 +18,15 @@ export function areaVector(
   out[2] = ux * vy - uy * vx;
 }
 
-export const lengthOf = (v: Float64Array): number =>
-  Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+const lengthOf = (v: Float64Array): number => Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+
+const vector = new Float64Array(3);
+
+/** The area of triangle `t`. */
+export function areaOf(
+  { positions: p, triangles }: { positions: ArrayLike<number>; triangles: ArrayLike<number> },
+  t: number,
+): number {
+  areaVector(p, 3 * triangles[3 * t], 3 * triangles[3 * t + 1], 3 * triangles[3 * t + 2], vector);
+  return lengthOf(vector) / 2;
+}

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { estimate, tooMany } from '../../../web/src/text/estimate.ts';
-import { megabytes, memoryText } from '../../../web/src/text/format.ts';
+import { megabytes, memoryText, percentText, timesText } from '../../../web/src/text/format.ts';
 import { runSteps, stageName, stepIndex, wholeFraction } from '../../../web/src/text/stages.ts';
 
 test('memory is told in tens of megabytes below a gigabyte, and in gigabytes from there on', () => {
@@ -17,6 +17,15 @@ test('memory is told in tens of megabytes below a gigabyte, and in gigabytes fro
     [0.25, 0.999, 1, 12.4].map((n) => megabytes(n * mega)),
     ['0.25 MB', '1.00 MB', '1 MB', '12 MB'],
   );
+});
+
+test('numbers have one decimal as long as that makes two digits, and none from ten on', () => {
+  for (const hundredths of [0, 4, 6, 50, 949, 951, 994, 996, 1004, 1049, 1051, 9960, 99_949]) {
+    const x = hundredths / 100;
+    const tenths = Math.round(hundredths / 10);
+    const digits = tenths < 100 ? (tenths / 10).toFixed(1) : String(Math.round(x));
+    assert.deepEqual([percentText(x), timesText(x)], [`${digits} %`, `× ${digits}`]);
+  }
 });
 
 test('a run is estimated by its triangles and bytes: seconds up to a minute and a half, and whether memory is tight', () => {

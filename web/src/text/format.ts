@@ -28,12 +28,15 @@ export const listed = (parts: readonly string[]): string =>
 export const plural = (n: number, one: string, many = `${one}s`): string =>
   `${count(n)} ${n === 1 ? one : many}`;
 
+/** Whether it is below ten when it is written with one decimal. */
+const isBelowTen = (x: number): boolean => Number(x.toFixed(1)) < 10;
+
 /** "4.8 %", "41 %" */
-export const percentText = (x: number): string => `${x.toFixed(x < 9.95 ? 1 : 0)} %`;
+export const percentText = (x: number): string => `${x.toFixed(isBelowTen(x) ? 1 : 0)} %`;
 
 /** "× 1.6", "× 24" */
 export const timesText = (x: number): string =>
-  `× ${x < 9.95 ? x.toFixed(1) : count(Math.round(x))}`;
+  `× ${isBelowTen(x) ? x.toFixed(1) : count(Math.round(x))}`;
 
 export const signed = (x: number): string => (x < 0 ? `−${(-x).toFixed(2)}` : x.toFixed(2));
 

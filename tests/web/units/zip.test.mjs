@@ -59,6 +59,14 @@ test('a ZIP may unpack to two hundred times its size, small ones as if they had 
   }
 });
 
+test('however small it is, a ZIP may unpack to so many bytes in all and to no byte more', async () => {
+  const limits = { bytes: 1000, ratio: 200, entries: 10 };
+  const three = (last) => new Blob([zipSync({ 'a.obj': new Uint8Array(600), 'b/': [], 'b.obj': new Uint8Array(300), 'c.obj': new Uint8Array(last) })]); // prettier-ignore
+  const found = await unzip(three(100), limits);
+  assert.deepEqual([...found.values()].map(({ length }) => length), [600, 300, 100]); // prettier-ignore
+  await assert.rejects(unzip(three(101), limits), /far more than it should/);
+});
+
 test('ten thousand files are taken, not counting folders, and one more is refused', async () => {
   const filesOf = (count) => ({ 'folder/': new Uint8Array(0), ...Object.fromEntries(Array.from({ length: count }, (_, i) => [`${i}.obj`, text.subarray(0, 1)])) }); // prettier-ignore
   const found = await open(zipSync(filesOf(10_000), { level: 0 }));

@@ -2,7 +2,8 @@
 
 import { Unzip, UnzipInflate } from 'fflate';
 
-const caps = { bytes: 2 ** 30, ratio: 200, entries: 10_000 };
+/** What an archive may unpack to: bytes, bytes for each of its own, files. */
+const limits = { bytes: 2 ** 30, ratio: 200, entries: 10_000 };
 
 /** Bytes per call: the reader recurses once for every file that begins in them. */
 const sliceSize = 16384;
@@ -11,7 +12,7 @@ function isSafe(name: string): boolean {
   return !/^[/\\]|^[a-z]:|\\|\0/i.test(name) && !name.split('/').includes('..');
 }
 
-export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
+export async function unzip(archive: Blob, caps = limits): Promise<Map<string, Uint8Array>> {
   const found = new Map<string, Uint8Array>();
   let total = 0;
   let entries = 0;

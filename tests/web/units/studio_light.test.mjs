@@ -66,6 +66,35 @@ test('nine numbers give what a matte surface reflects, within 0.03', () => {
   }
 });
 
+test('of all functions that nine such numbers give, theirs is nearest to what is reflected: the rest has no part of any', () => {
+  // Directions evenly on the sphere, as many for light as there is time for.
+  const evenly = (count) =>
+    Array.from({ length: count }, (_, i) => {
+      const y = 1 - (2 * i + 1) / count;
+      const angle = i * Math.PI * (3 - Math.sqrt(5));
+      const r = Math.sqrt(1 - y * y);
+      return [r * Math.cos(angle), y, r * Math.sin(angle)];
+    });
+  const light = evenly(20_000).map(([x, y, z]) => ({ x, y, z, of: radiance(x, y, z) }));
+  const around = evenly(600);
+  const terms = ([x, y, z]) => [1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y];
+  const parts = Array(9).fill(0);
+  const sizes = Array(9).fill(0);
+  for (const normal of around) {
+    const [a, b, c] = normal;
+    let seen = 0;
+    for (const { x, y, z, of } of light) seen += of * Math.max(0, a * x + b * y + c * z);
+    const rest = (4 * seen) / light.length - approximated(normal);
+    terms(normal).forEach((term, i) => {
+      parts[i] += (rest * term) / around.length;
+      sizes[i] += term ** 2 / around.length;
+    });
+  }
+  parts.forEach((part, i) => {
+    assert.ok(Math.abs(part / sizes[i]) < 1e-3, `number ${i} is ${part / sizes[i]} too small`);
+  });
+});
+
 test('the first of the nine numbers is the mean of the light', () => {
   assert.ok(Math.abs(irradiance[0] / mean() - 1) < 1e-4, `${irradiance[0]}, ${mean()}`);
 });

@@ -9,7 +9,7 @@ import { Document, loadOptionsOf } from '../../../web/src/model/document.ts';
 import { sameFeatures } from '../../../web/src/model/features.ts';
 import { computeBudget, suggestedK, waysToSpend } from '../../../web/src/model/gauss_bonnet.ts';
 import { areSeamsShown, hasSteps, sameGrid, sameTiles, tilesPerUnit, turnedSeams } from '../../../web/src/model/grid.ts'; // prettier-ignore
-import { heatMapOf, liveMapOf } from '../../../web/src/model/live.ts';
+import { beforeFirst, heatMapOf, liveMapOf } from '../../../web/src/model/live.ts';
 import {
   emptyPrescription,
   isSilent,
@@ -490,6 +490,12 @@ test('while a cone is dragged: corners of the last map, and scales relative to t
   const expected = [-2, -1, NaN, 3].map((x) => (2 * x) / Math.LN2);
   expected.forEach((x, i) => (Number.isNaN(x) ? assert.ok(Number.isNaN(heat.heat[i])) : near(heat.heat[i], x, 'heat', 1e-6))); // prettier-ignore
   assert.deepEqual([heat.state, heat.cornerUv, heat.base], ['heat', base.cornerUv, base]);
+  // Until the first of them nothing is known but the map that was there.
+  const none = { base, state: 'heat', cornerUv: base.cornerUv, heat: new Float32Array(0), notPositive: new Uint32Array(0), reasons: [] }; // prettier-ignore
+  assert.deepEqual(beforeFirst(base), none);
+  assert.deepEqual(heatMapOf(base, logScale), { ...none, heat: heat.heat });
+  const unknown = heatMapOf(base, Float32Array.of(NaN, NaN)).heat;
+  assert.ok(unknown.length === 2 && unknown.every(Number.isNaN), 'nothing is known anywhere');
   const frame = { state: 'certified', uv: Float32Array.from([1, 2, 3, 4, 5, 6]), cornerToUv: Uint32Array.from([2, 0, 1]), notPositive: new Uint32Array(0), reasons: [], logScale }; // prettier-ignore
   const map = liveMapOf(base, frame, undefined);
   assert.deepEqual([...map.cornerUv], [5, 6, 1, 2, 3, 4]);
@@ -517,6 +523,12 @@ test('runs side by side: the best of a row is the lowest, if they differ as writ
   assert.deepEqual([textsOf('Size varies'), bestOf('Size varies')], [['× 2.00', '× 2.00'], [false, false]]); // prettier-ignore
   assert.deepEqual(bestOf('Time'), [false, false], 'equal as written');
   assert.deepEqual(textsOf('Overlaps'), ['under 0.1 %', '0.0 %']);
+  // Whatever the share: 0 only if there are none, and otherwise as in one decimal.
+  for (const share of [0, 1e-9, 0.0004, 0.00049, 0.00051, 0.0006, 0.0014, 0.25, 1]) {
+    const text = compareRuns([run(1, 8, 1, share)]).find(({ name }) => name === 'Overlaps').cells[0].text; // prettier-ignore
+    const tenths = Math.round(1000 * share);
+    assert.equal(text, share > 0 && tenths === 0 ? 'under 0.1 %' : `${(tenths / 10).toFixed(1)} %`);
+  }
   assert.deepEqual([textsOf('Seams'), textsOf('Verdict')], [['2', '2'], ['certified', 'certified']]); // prettier-ignore
   assert.deepEqual([textsOf('Less distortion'), textsOf('Lines follow')], [['off', 'off'], ['nothing', 'nothing']]); // prettier-ignore
 });

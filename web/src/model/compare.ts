@@ -34,7 +34,7 @@ const quantities: Quantity[] = [
   {
     name: 'Overlaps',
     of: ({ result: { certificate } }) => certificate.overlap.share * 100,
-    text: (x) => (x > 0 && x < 0.05 ? 'under 0.1 %' : percent(x)),
+    text: (x) => (x > 0 && percent(x) === percent(0) ? 'under 0.1 %' : percent(x)),
   },
   { name: 'Seams', of: ({ chains }) => new Set(chains).size, text: String },
   { name: 'Time', of: ({ result }) => result.report.seconds, text: (x) => `${x.toFixed(2)} s` },

@@ -437,6 +437,13 @@ test('a validator that fails, or does not start, is told as such', { skip }, asy
     return [doc.validation.isGood, doc.validation.issues.length];
   };
   assert.deepEqual(await seen(report(0, false, 0)), [true, 0]);
+  // As many as fit, of which those that are left out are the least severe.
+  for (const count of [1, 2, 11, 12, 13, 40, 500]) {
+    const [, lines] = await seen(report(count, false, 0));
+    assert.equal(lines, Math.min(count, 13), `${count}`);
+    const worst = Math.ceil(count / 4);
+    assert.equal(doc.validation.issues.filter((line) => line.startsWith('Error')).length, Math.min(12, worst)); // prettier-ignore
+  }
   assert.deepEqual(await seen(report(12, false, 0)), [true, 12]);
   assert.deepEqual(await seen(report(13, false, 1)), [false, 13]);
   assert.deepEqual(await seen(report(4, true, 0)), [true, 5]);

@@ -6,6 +6,7 @@ import { beside, blocks, eight } from '../../support/blocks.mjs';
 import { cubeMesh, packGlb, toGlb, toGltf, toObj, toOff } from '../../support/meshes.mjs';
 import { $, $$, choose, click, drawn, openFiles, openPage, runNow, saved, skip, textOf, until } from './whole_page.mjs'; // prettier-ignore
 
+const { runJob } = await import('../../../web/src/actions/job.ts');
 const status = () => textOf($('#status'));
 const buttonOf = (pattern, within = 'hgp-status-bar') => $$(`${within} button`).find((one) => pattern.test(one.textContent)); // prettier-ignore
 async function pageWith(t, files) {
@@ -162,7 +163,14 @@ test(
     await choose('#weld', '0.001');
     await until(() => !doc.isBusy && doc.settings.weld === 0.001);
     await choose('#weld', '-1');
-    assert.equal(doc.settings.weld, 0.001, 'no length');
+    assert.deepEqual([doc.settings.weld, $('#weld').value], [0.001, '0.001'], 'no length');
+    // While something else goes on nothing is read again, and the field shows what holds.
+    let end;
+    const running = runJob(app, { kind: 'run', title: '', onFailure: assert.fail }, () => new Promise((resolve) => (end = resolve))); // prettier-ignore
+    await choose('#weld', '0.2');
+    end();
+    await running;
+    assert.deepEqual([doc.settings.weld, $('#weld').value], [0.001, '0.001']);
     await choose('#weld', '');
     await until(() => !doc.isBusy && doc.settings.weld === undefined);
   },

@@ -152,12 +152,12 @@ class ModelPanel extends Panel {
   #weld({ info, loaded }: Model): TemplateResult {
     const { app } = this;
     const set = (event: Event): void => {
+      this.requestUpdate(); // the field shows what holds, whatever was typed
       const text = (event.target as HTMLInputElement).value.trim();
       const weld = text === '' ? undefined : Number(text);
       if ((weld !== undefined && !(weld >= 0)) || weld === loaded.weld) return;
       const kind = weld === undefined ? 'weld as the format needs' : `weld closer than ${weld}`;
       void attempt(app, () => reloadWith(app, { ...loaded, weld }, kind));
-      this.requestUpdate();
     };
     const example = (1e-6 * info.diagonal).toPrecision(1);
     return html`<div class="row field">

@@ -161,7 +161,7 @@ export async function loadMesh(app: App, source: Source, surface?: number): Prom
   const opened = doc.usableModel;
   if (!isDone || !opened) return;
   warnOfSize(app, opened);
-  if (isSilent(doc.prescription) && !doc.hasUserCones) void offerSaved(app, opened);
+  void offerSaved(app, opened);
 }
 
 /** Opens another mesh of the open file; the work on this one is kept. */

@@ -27,6 +27,10 @@ interface Quantity {
 
 const percent = (x: number): string => `${x.toFixed(1)} %`;
 
+/** "0.3 %"; "0.0 %" only if there is nothing. */
+export const shareText = (x: number): string =>
+  x > 0 && percent(x) === percent(0) ? 'under 0.1 %' : percent(x);
+
 const quantities: Quantity[] = [
   { name: 'Cones', of: ({ prescription }) => prescription.cones.length, text: String },
   { name: 'Typical stretch', of: ({ sizes }) => 100 * (sizes.typicalStretch - 1), text: percent },
@@ -34,7 +38,7 @@ const quantities: Quantity[] = [
   {
     name: 'Overlaps',
     of: ({ result: { certificate } }) => certificate.overlap.share * 100,
-    text: (x) => (x > 0 && percent(x) === percent(0) ? 'under 0.1 %' : percent(x)),
+    text: shareText,
   },
   { name: 'Seams', of: ({ chains }) => new Set(chains).size, text: String },
   { name: 'Time', of: ({ result }) => result.report.seconds, text: (x) => `${x.toFixed(2)} s` },

@@ -22,7 +22,7 @@ class ConeTable extends Panel {
     const { sort } = this.app.ui;
     const order = cones.map((_, i) => i);
     if (sort.by === 'vertex') order.sort((a, b) => cones[a].vertex - cones[b].vertex);
-    if (sort.by === 'k') order.sort((a, b) => cones[a].k - cones[b].k || a - b);
+    if (sort.by === 'k') order.sort((a, b) => cones[a].k - cones[b].k);
     return sort.isDown ? order.reverse() : order;
   }
 

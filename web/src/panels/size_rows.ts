@@ -6,6 +6,7 @@ import type { Where } from 'hgp';
 import { attempt, type AppView } from '../actions/app';
 import { evenOut } from '../actions/even_out';
 import { showPlaces } from '../actions/view';
+import { shareText } from '../model/compare';
 import type { Solution } from '../model/types';
 import { count, percentText, timesText } from '../text/format';
 
@@ -48,7 +49,7 @@ function overlapRow(app: AppView, { overlaps, result }: Solution): TemplateResul
       ${
         result.certificate.overlap.layers <= 1
           ? 'none'
-          : html`${share < 0.05 ? 'under 0.1' : share.toFixed(1)} % of the area
+          : html`${shareText(share)} of the area
               <button type="button" class="link" @click=${show}>Show</button>`
       }
     </dd>

@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Document, NodeIO } from '@gltf-transform/core';
 import * as THREE from 'three';
+import { randomFrom } from '../mutation/draw.mjs';
 import { withClient } from './support.mjs';
 import { parametrizeGeometry } from '../../build/package/three.js';
 import { seamless } from '../../build/package/gltf-transform.js';
@@ -214,3 +215,174 @@ test('what the adapters write is the certified map: verified in a file, and corn
   }));
 
 const uv32 = ({ uv }, i) => Math.fround(uv[i]);
+
+/** A client that solves nothing: every corner has any of some places that its vertex has in the map. */
+function anyMap(random, { certified = true, most = 3 } = {}) {
+  const asked = [];
+  const parametrizeRendered = async ({ positions, triangles }, ...options) => {
+    const uv = Float64Array.from({ length: 2 * most * (positions.length / 3) }, random);
+    const cornerToUv = Uint32Array.from(triangles, (v) => most * v + Math.floor(most * random()));
+    asked.push({ positions: [...positions], triangles: [...triangles], options });
+    return { uv, cornerToUv, seams: [], positions, certificate: { certified } };
+  };
+  return { parametrizeRendered, asked };
+}
+
+/** A document of one mesh: parts of any kind with attributes of any type, indexed or not, some of them no triangles. */
+function anyDocument(random, sets) {
+  const document = new Document();
+  const buffer = document.createBuffer();
+  const some = (n) => Math.floor(n * random());
+  const accessor = (type, array, isNormalized = false) =>
+    document.createAccessor(`of ${type}`).setType(type).setArray(array).setBuffer(buffer).setNormalized(isNormalized); // prettier-ignore
+  const mesh = document.createMesh('any');
+  for (let p = 0; p < 4; p++) {
+    const count = 3 + 3 * some(4);
+    const primitive = document
+      .createPrimitive()
+      .setMode(p === 2 ? 0 : 4)
+      .setAttribute('POSITION', accessor('VEC3', Float32Array.from({ length: 3 * count }, random)))
+      .setAttribute('COLOR_0', accessor('VEC4', Uint8Array.from({ length: 4 * count }, () => some(256)), true)) // prettier-ignore
+      .setAttribute('JOINTS_0', accessor('VEC4', Uint16Array.from({ length: 4 * count }, () => some(9)))); // prettier-ignore
+    for (const set of sets) primitive.setAttribute(`TEXCOORD_${set}`, accessor('VEC2', Float32Array.from({ length: 2 * count }, random))); // prettier-ignore
+    if (p % 2 === 0) primitive.setIndices(accessor('SCALAR', Uint8Array.from({ length: 12 + some(3) }, () => some(count)))); // prettier-ignore
+    primitive.addTarget(document.createPrimitiveTarget().setAttribute('POSITION', accessor('VEC3', Float32Array.from({ length: 3 * count }, random)))); // prettier-ignore
+    mesh.addPrimitive(primitive);
+  }
+  return { document, mesh };
+}
+
+/** What an attribute has at each corner of the triangles, in its own type. */
+function cornersIn(primitive, owner, semantic) {
+  const attribute = owner.getAttribute(semantic);
+  const indices = primitive.getIndices()?.getArray() ?? Array.from({ length: attribute.getCount() }, (_, i) => i); // prettier-ignore
+  const [array, size] = [attribute.getArray(), attribute.getElementSize()];
+  const whole = primitive.getMode() === 4 ? indices.length - (indices.length % 3) : indices.length;
+  return { type: array.constructor.name, isNormalized: attribute.getNormalized(), name: attribute.getName(), values: [...indices].slice(0, whole).map((v) => [...array.slice(size * v, size * v + size)]) }; // prettier-ignore
+}
+
+const everythingIn = (mesh) =>
+  mesh.listPrimitives().map((primitive) =>
+    [primitive, ...primitive.listTargets()].map(
+      (owner) =>
+      Object.fromEntries(owner.listSemantics().map((semantic) => [semantic, cornersIn(primitive, owner, semantic)])), // prettier-ignore
+    ),
+  );
+
+test('whatever a document has stays at every corner, next to the first free set or in place of the one that is asked for', async () => {
+  const random = randomFrom(4);
+  for (let round = 0; round < 24; round++) {
+    const sets = [[], [0], [0, 1], [1], [2, 0]][round % 5];
+    const asked = round % 4 === 3 ? 1 : undefined;
+    const { document, mesh } = anyDocument(random, sets);
+    const before = everythingIn(mesh);
+    const results = [];
+    const client = anyMap(random);
+    await document.transform(seamless({ client, texcoord: asked, weld: 0.5, q: 6, onMesh: (_, result) => results.push(result) })); // prettier-ignore
+    assert.deepEqual(client.asked[0].options.map((one) => ({ ...one })), [{ weld: 0.5, fix: undefined, limits: undefined }, { q: 6 }]); // prettier-ignore
+    const free = [0, 1, 2, 3].find((set) => !sets.includes(set));
+    const name = `TEXCOORD_${asked ?? free}`;
+    const after = everythingIn(mesh);
+    const [{ uv, cornerToUv }] = results;
+    let corner = 0;
+    after.forEach(([own, ...targets], p) => {
+      const { [name]: set, ...rest } = own;
+      const { [name]: old, ...kept } = before[p][0];
+      assert.deepEqual(rest, kept, 'all other attributes');
+      assert.deepEqual(targets, before[p].slice(1), 'targets');
+      if (p === 2) return assert.deepEqual(set, old, 'points have no map');
+      assert.equal(set.type, 'Float32Array');
+      for (const value of set.values) {
+        const i = cornerToUv[corner++];
+        assert.deepEqual(value, [Math.fround(uv[2 * i]), Math.fround(1 - uv[2 * i + 1])]);
+      }
+    });
+    assert.equal(corner, cornerToUv.length);
+    // The solver is asked for these triangles in these places.
+    const { positions, triangles } = client.asked[0];
+    const places = after.flatMap(([own], p) => (p === 2 ? [] : own.POSITION.values));
+    assert.deepEqual(triangles.map((v) => positions.slice(3 * v, 3 * v + 3)), places); // prettier-ignore
+  }
+});
+
+test('a map that is not certified is written only where that is allowed; a mesh without triangles is passed over', async () => {
+  const random = randomFrom(6);
+  for (const certified of [true, false])
+    for (const allowUncertified of [undefined, false, true]) {
+      const { document, mesh } = anyDocument(random, []);
+      document.createMesh('empty');
+      document.createMesh('points').addPrimitive(mesh.listPrimitives()[2].clone());
+      const client = anyMap(random, { certified });
+      const seen = [];
+      const done = document.transform(seamless({ client, allowUncertified, onMesh: (one) => seen.push(one) })); // prettier-ignore
+      if (certified || allowUncertified) await done;
+      else await assert.rejects(done, { code: 'no-map', message: /'any'/ });
+      assert.deepEqual([seen, client.asked.length], [[mesh], 1]);
+      const isWritten = mesh.listPrimitives()[0].getAttribute('TEXCOORD_0') !== null;
+      assert.equal(isWritten, certified || allowUncertified === true);
+    }
+});
+
+test('indices have two bytes up to 65535 vertices, in a document as in a geometry', async () => {
+  const random = randomFrom(8);
+  for (const count of [65_534, 65_535, 65_536]) {
+    const positions = new Float32Array(3 * count);
+    const index = Uint32Array.of(0, 1, count - 1);
+    const client = anyMap(random, { most: 1 });
+    const given = new THREE.BufferGeometry();
+    given.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+    given.setIndex(new THREE.BufferAttribute(index, 1));
+    const { geometry } = await parametrizeGeometry(client, given);
+    const document = new Document();
+    const accessor = (type, array) => document.createAccessor().setType(type).setArray(array);
+    const primitive = document.createPrimitive().setAttribute('POSITION', accessor('VEC3', positions)).setIndices(accessor('SCALAR', index)); // prettier-ignore
+    document.createMesh('large').addPrimitive(primitive);
+    await document.transform(seamless({ client }));
+    for (const array of [geometry.index.array, primitive.getIndices().getArray()])
+      assert.deepEqual([array.BYTES_PER_ELEMENT, [...array]], [count > 65_535 ? 4 : 2, [...index]]);
+  }
+});
+
+test('a geometry keeps its name, data, groups, range, and every attribute in its own type, at every corner', async () => {
+  const random = randomFrom(9);
+  for (let round = 0; round < 12; round++) {
+    const given = new THREE.BufferGeometry();
+    const count = 9;
+    const own = (size, Type) => new THREE.BufferAttribute(Type.from({ length: size * count }, () => 200 * random()), size, Type === Uint8Array); // prettier-ignore
+    Object.assign(given, { name: `n${round}`, userData: { of: [round] }, morphTargetsRelative: round % 2 === 1 }); // prettier-ignore
+    given.setAttribute('position', own(3, Float32Array));
+    given.setAttribute('color', own(4, Uint8Array));
+    const joints = own(4, Uint16Array);
+    joints.gpuType = THREE.IntType;
+    joints.name = 'joints';
+    given.setAttribute('skinIndex', joints);
+    if (round % 3 > 0) given.setAttribute('uv', own(2, Float32Array));
+    const mixed = new THREE.InterleavedBuffer(Float32Array.from({ length: 5 * count }, random), 5);
+    given.setAttribute('mixed', new THREE.InterleavedBufferAttribute(mixed, 2, 3, round % 4 === 0));
+    given.morphAttributes.position = [own(3, Float32Array), own(3, Float32Array)];
+    if (round % 2 === 0) given.setIndex([0, 1, 2, 2, 1, 3, 8, 0, 8, 4, 5, 6]);
+    given.addGroup(0, 3, 1);
+    given.addGroup(3, 6, 0);
+    given.setDrawRange(3, 6);
+    const attribute = ['uv', 'uv1'][round % 2];
+    const client = anyMap(random);
+    const { geometry, result } = await parametrizeGeometry(client, given, { attribute, weld: 0.1, q: 2 }); // prettier-ignore
+    for (const member of ['name', 'userData', 'groups', 'drawRange', 'morphTargetsRelative'])
+      assert.deepEqual(geometry[member], given[member], member);
+    assert.notEqual(geometry.userData, given.userData, 'a copy');
+    const names = new Set([...Object.keys(given.attributes), attribute]);
+    assert.deepEqual(new Set(Object.keys(geometry.attributes)), names);
+    const pairs = [...names].filter((name) => name !== attribute).map((name) => [geometry.attributes[name], given.attributes[name]]); // prettier-ignore
+    given.morphAttributes.position.forEach((one, i) => pairs.push([geometry.morphAttributes.position[i], one])); // prettier-ignore
+    for (const [now, old] of pairs) {
+      assert.deepEqual(corners(geometry, now), corners(given, old));
+      const { array, gpuType } = 'data' in old ? { array: old.data.array, gpuType: THREE.FloatType } : old; // prettier-ignore
+      assert.deepEqual([now.array.constructor, now.normalized, now.name, now.gpuType, now.itemSize], [array.constructor, old.normalized, old.name, gpuType, old.itemSize]); // prettier-ignore
+    }
+    corners(geometry, geometry.attributes[attribute]).forEach((value, corner) => {
+      const i = result.cornerToUv[corner];
+      assert.deepEqual(value, [uv32(result, 2 * i), uv32(result, 2 * i + 1)]);
+    });
+    assert.deepEqual(client.asked[0].options.slice(0, 2).map((one) => ({ ...one })), [{ weld: 0.1, fix: undefined, limits: undefined }, { q: 2 }]); // prettier-ignore
+  }
+});

@@ -101,7 +101,7 @@ function writePrimitive(
     name,
     document.createAccessor().setType('VEC2').setBuffer(buffer).setArray(coordinates),
   );
-  const Index = vertexOf.length > 0xfffe ? Uint32Array : Uint16Array;
+  const Index = vertexOf.length > 0xffff ? Uint32Array : Uint16Array;
   const indices = document.createAccessor().setType('SCALAR').setBuffer(buffer);
   primitive.setIndices(indices.setArray(Index.from(index)));
 }

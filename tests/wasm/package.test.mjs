@@ -9,8 +9,17 @@ import { Worker } from 'node:worker_threads';
 import { problems } from '../cli/schema.mjs';
 import { blocks, ring } from '../support/blocks.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
-import { cubeCrosses, cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
-import { built, bytesOf, createClient, HgpError, native, scratch, withClient } from './support.mjs';
+import { cubeCrosses, cubeMesh, toGlb, toGltf, toObj, toOff } from '../support/meshes.mjs';
+import {
+  built,
+  bytesOf,
+  createClient,
+  createCore,
+  HgpError,
+  native,
+  scratch,
+  withClient,
+} from './support.mjs';
 
 const bytes = bytesOf;
 const disk = (n) => bytes(bumpyDisk(n));
@@ -92,6 +101,55 @@ test('quads of a .gltf as GLB contain its pictures, as they were when it was loa
     assert.equal(notes.length, 1);
     assert.equal(notes[0].code, 'read-file-refused');
   }));
+
+test('of the files beside a .gltf a model keeps copies of those that may be pictures, until it is freed', async () => {
+  const core = await createCore();
+  const { json, bin } = toGltf([cubeMesh(2)]);
+  const picture = Uint8Array.of(1, 2, 3);
+  const given = { 'cube.gltf': bytes(JSON.stringify(json)), 'cube.bin': new Uint8Array(bin), 'more.bin': Uint8Array.of(7), 'a.png': picture, 'b/c.jpg': Uint8Array.of(9), 'bin.webp': Uint8Array.of(8) }; // prettier-ignore
+  const model = core.load({ main: 'cube.gltf', files: new Map(Object.entries(given)) });
+  assert.deepEqual([...model.sides.keys()], ['a.png', 'b/c.jpg', 'bin.webp']);
+  picture.fill(0);
+  assert.deepEqual([...model.sides.get('a.png')], [1, 2, 3]);
+  model.free();
+  assert.equal(model.sides.size, 0);
+  // Other formats name no files that are kept in memory.
+  for (const [main, content] of [
+    ['cube.glb', new Uint8Array(toGlb([cubeMesh(2)]))],
+    ['cube.obj', bytes(toObj(cubeMesh(2)))],
+  ]) {
+    // prettier-ignore
+    const one = core.load({ main, files: new Map(Object.entries({ [main]: content, 'a.png': Uint8Array.of(1) })) }); // prettier-ignore
+    assert.equal(one.sides.size, 0, main);
+    one.free();
+  }
+});
+
+test('what is written has the name of the file, with the extension of what it is', async () => {
+  const core = await createCore();
+  const contents = { obj: bytes(toObj(cubeMesh(2))), glb: new Uint8Array(toGlb([cubeMesh(2)])), off: bytes(toOff(cubeMesh(2))) }; // prettier-ignore
+  for (const [main, kind, name, target] of [
+    ['cube.obj', 'obj', 'cube.obj'],
+    ['Cube.OBJ', 'obj', 'Cube.OBJ'],
+    ['a/b.c/cube.obj', 'obj', 'cube.obj'],
+    ['cube.obj.obj', 'obj', 'cube.obj.obj'],
+    ['cube.v2.obj', 'obj', 'cube.v2.obj'],
+    ['cube.glb', 'glb', 'cube.glb'],
+    ['cube.GLB', 'glb', 'cube.GLB'],
+    ['cube.vrm', 'glb', 'cube.glb'],
+    ['.glb', 'glb', 'mesh.glb'],
+    ['a/.obj', 'obj', 'mesh.obj'],
+    ['cube.off', 'off', 'cube.obj'],
+    ['glb.off', 'off', 'glb.obj'],
+    ['cube.off', 'off', 'cube.obj', 'obj'],
+    ['cube.obj', 'obj', 'cube.glb', 'glb'],
+    ['cube.glb', 'glb', 'cube.obj', 'obj'],
+  ]) {
+    const model = core.load({ main, files: new Map([[main, contents[kind]]]) }, { target });
+    assert.equal(model.defaultName, name, `${main} as ${target}`);
+    model.free();
+  }
+});
 
 test('cones embedded in a file are found again', () =>
   withClient(async (client) => {

@@ -13,43 +13,6 @@ import { Panel } from './panel';
 const few = 8; // up to this many handle loops are listed without a click
 const maxRows = 200;
 
-/** A stepper with an additional value "auto". */
-function stepper(
-  name: string,
-  value: number | null,
-  start: number,
-  set: (n: number | null) => void,
-): TemplateResult {
-  const change = (event: Event): void => {
-    const { value: text } = event.target as HTMLInputElement;
-    set(text.trim() === '' ? null : Number(text));
-  };
-  const from = value ?? start;
-  return html`<span class="stepper">
-    <button
-      type="button"
-      aria-label="${name}: smaller"
-      @click=${() => set(value === null ? from : from - 1)}
-    >
-      −
-    </button>
-    <input
-      type="number"
-      aria-label=${name}
-      placeholder="auto"
-      .value=${keepWhileTyping(value === null ? '' : String(value))}
-      @change=${change}
-    />
-    <button
-      type="button"
-      aria-label="${name}: larger"
-      @click=${() => set(value === null ? from : from + 1)}
-    >
-      +
-    </button>
-  </span>`;
-}
-
 class BoundariesPanel extends Panel {
   #hasAllHandles = false;
 
@@ -90,7 +53,7 @@ class BoundariesPanel extends Panel {
         >
           Boundary ${loop + 1}
         </button>
-        ${stepper(
+        ${this.#stepper(
           `Turning index l of boundary ${loop + 1}`,
           l,
           natural,
@@ -130,7 +93,7 @@ class BoundariesPanel extends Panel {
         >
           <i class="swatch" data-hue=${generator % 8}></i>Handle loop ${generator + 1}
         </button>
-        ${stepper(
+        ${this.#stepper(
           `Rotation r of handle loop ${generator + 1}`,
           r,
           found ?? 0,
@@ -152,6 +115,44 @@ class BoundariesPanel extends Panel {
           </p>`
         : nothing
     }`;
+  }
+
+  /** A stepper with an additional value "auto". */
+  #stepper(
+    name: string,
+    value: number | null,
+    start: number,
+    set: (n: number | null) => void,
+  ): TemplateResult {
+    const change = (event: Event): void => {
+      const { value: text } = event.target as HTMLInputElement;
+      set(text.trim() === '' ? null : Number(text));
+      this.requestUpdate(); // the field shows what holds, whatever was typed
+    };
+    const from = value ?? start;
+    return html`<span class="stepper">
+      <button
+        type="button"
+        aria-label="${name}: smaller"
+        @click=${() => set(value === null ? from : from - 1)}
+      >
+        −
+      </button>
+      <input
+        type="number"
+        aria-label=${name}
+        placeholder="auto"
+        .value=${keepWhileTyping(value === null ? '' : String(value))}
+        @change=${change}
+      />
+      <button
+        type="button"
+        aria-label="${name}: larger"
+        @click=${() => set(value === null ? from : from + 1)}
+      >
+        +
+      </button>
+    </span>`;
   }
 }
 customElements.define('hgp-boundaries-panel', BoundariesPanel);

@@ -61,12 +61,10 @@ class SolvePanel extends Panel {
 
   #set(part: Partial<SolveSettings>): void {
     setSolve(this.app, part);
-    this.requestUpdate();
   }
 
   #setGrid(part: Partial<GridSettings>): void {
     void attempt(this.app, () => realign(this.app, part));
-    this.requestUpdate();
   }
 
   #presets(): TemplateResult {

@@ -37,7 +37,7 @@ export class ContactShadow extends Mesh<PlaneGeometry, MeshBasicMaterial> {
     for (let row = 0; row < shadowCells; row++) {
       for (let at = 0; at < shadowCells; at++) {
         const dark = shadow.dark[(shadowCells - 1 - row) * shadowCells + at];
-        data[4 * (row * shadowCells + at) + 3] = Math.round(255 * darkest * Math.min(1, dark));
+        data[4 * (row * shadowCells + at) + 3] = Math.round(255 * darkest * dark);
       }
     }
     const texture = new DataTexture(data, shadowCells, shadowCells, RGBAFormat);

@@ -1,10 +1,11 @@
-// What stands in the views beside the pictures: the legend of colours, the length of a bar, how a pattern continues at seams.
+// What stands beside the pictures: the legend of colours, the length of a bar, how a pattern continues at seams, the meshes.
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { signal } from '@preact/signals-core';
 import { isTurnedBy } from '../../../web/src/model/grid.ts';
 import { overlayColours } from '../../../web/src/services/geometry/overlay_colours.ts';
+import { thumbnailSize } from '../../../web/src/services/geometry/thumbnail.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { $, $$, drawn, skip, textOf } from './whole_page.mjs';
 
@@ -173,5 +174,46 @@ test(
         [await say(whole(true), pattern), await say(whole(false), pattern)],
         ['', ''],
       );
+  },
+);
+
+test(
+  'the picture of a mesh is drawn in its own button, once for each that is made',
+  { skip },
+  async (t) => {
+    const painted = [];
+    t.mock.method(HTMLCanvasElement.prototype, 'getContext', function getContext(kind) {
+      return { putImageData: ({ data, size }, x, y) => painted.push([kind, this.dataset.thumbnail, [...data.subarray(0, 2)], size, x, y]) }; // prettier-ignore
+    });
+    const before = globalThis.ImageData;
+    globalThis.ImageData = class {
+      constructor(data, size) {
+        Object.assign(this, { data, size });
+      }
+    };
+    t.after(() => (globalThis.ImageData = before));
+    const surfaces = [0, 1, 2].map((index) => ({ index, name: '', triangles: 4 }));
+    const model = {
+      info: { surface: 1, surfaces, usable: true, defects: [] },
+      loaded: { fix: {} },
+    };
+    const { panel, set } = await panelOf(t, 'hgp-mesh-strip', { doc: { isBusy: true } });
+    const picture = (n) => new Uint8ClampedArray(4 * thumbnailSize ** 2).fill(n);
+    const [a, b, c] = [1, 2, 3].map(picture);
+    const show = async (...thumbnails) => {
+      painted.length = 0;
+      await set({ doc: { isBusy: true, model, meshes: new Map(), summaries: [], thumbnails: new Map(thumbnails) } }); // prettier-ignore
+      assert.equal($$('canvas', panel).length, thumbnails.length);
+      return painted.map(([kind, mesh, data, ...rest]) => {
+        assert.deepEqual([kind, ...rest], ['2d', thumbnailSize, 0, 0]);
+        return [Number(mesh), ...data];
+      });
+    };
+    assert.deepEqual(await show(), []);
+    assert.deepEqual(await show([2, a]), [[2, 1, 1]]);
+    assert.deepEqual(await show([2, a]), [], 'it is there already');
+    assert.deepEqual(await show([0, b], [2, a]), [[0, 2, 2]]);
+    assert.deepEqual(await show([0, b], [2, c]), [[2, 3, 3]]);
+    assert.deepEqual(await show([0, c], [2, b]), [[0, 3, 3], [2, 2, 2]]); // prettier-ignore
   },
 );

@@ -10,7 +10,7 @@ import ts from 'typescript';
 const limit = 400_000; // milliseconds, after which a fault counts as endless
 
 /** The tests of the package that need neither a bundler nor a long time, the shortest first. */
-const packageTests = ['parts', 'queue_laws', 'browser_parts', 'packed', 'drag_steps', 'recorded', 'arguments', 'policies', 'write_formats', 'adapters', 'decoders', 'features', 'files', 'lite', 'hostile', 'package', 'drag', 'interleavings']; // prettier-ignore
+const packageTests = ['parts', 'queue_laws', 'browser_parts', 'npx_script', 'packed', 'drag_steps', 'recorded', 'arguments', 'policies', 'write_formats', 'adapters', 'decoders', 'features', 'files', 'lite', 'hostile', 'package', 'drag', 'interleavings']; // prettier-ignore
 
 /** Whether a changed text still compiles; what does not is no fault that a test has to see. */
 export function typeChecker(root) {

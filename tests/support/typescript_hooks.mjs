@@ -34,6 +34,7 @@ export async function scriptOf(fileName, text) {
 }
 
 const builtPackage = new URL('../../build/package/', import.meta.url);
+const packageSources = new URL('../../wasm/package/src/', import.meta.url).href;
 
 /** A source; with a query it is loaded once more, as where something else is global. */
 const isSource = /\.ts(\?|$)/;
@@ -47,6 +48,9 @@ function sourceOf(specifier, parent) {
   if (specifier === 'hgp') return new URL('index.js', builtPackage);
   if (specifier === 'hgp/gzip') return new URL('gzip.js', builtPackage);
   if (!/^\.{1,2}\//.test(specifier) || !isSource.test(parent ?? '')) return undefined;
+  // A source of the package that is not part of every build, among the scripts that are.
+  if (parent.startsWith(packageSources))
+    return new URL(new URL(specifier, parent).href.slice(packageSources.length), builtPackage);
   const url = new URL(`${specifier}.ts`, parent);
   return existsSync(fileURLToPath(url)) ? url : undefined;
 }

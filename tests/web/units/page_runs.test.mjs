@@ -717,6 +717,7 @@ test(
   async (t) => {
     // prettier-ignore
     const { evenOut } = await import('../../../web/src/actions/even_out.ts');
+    const { setPrescription } = await import('../../../web/src/actions/edit_cones.ts');
     const app = await pageWith(t);
     const { doc, ui } = app;
     ui.setAutomatic(false);
@@ -729,6 +730,14 @@ test(
     const sizes = { ...doc.current.sizes, larger: { vertices: [free[0]] }, smaller: { vertices: [free.at(-1)] } }; // prettier-ignore
     doc.solutions = [{ ...doc.current, sizes }];
     await new Promise((resolve) => setTimeout(resolve, 520)); // another step of undo
+    // An edit that comes before the balance is the last word.
+    const { history, solutions } = doc;
+    const overtaken = evenOut(app);
+    setPrescription(app, { ...doc.prescription, cones: doc.prescription.cones.slice(1) }, 'edit');
+    const edited = doc.history;
+    await overtaken;
+    assert.equal(doc.history, edited);
+    Object.assign(doc, { history, solutions });
     await evenOut(app);
     await drawn();
     const at = (vertex) => doc.prescription.cones.find((one) => one.vertex === vertex)?.k;

@@ -111,6 +111,29 @@ test('a pointer finds the triangle of the map that it is in, and its nearest cor
     assert.equal(view.pick(inWindow(view, 5, 1)), undefined);
   }));
 
+test('under the hand a pointer finds the triangles where the map that is shown has them, and afterwards where they were', () =>
+  withCanvases(({ rest }) => {
+    const { view } = viewOf(rest);
+    const triangles = [...mesh.triangles.keys()].filter((t) => t % 7 === 0);
+    /** The middle of each triangle of a map of corners. */
+    const finds = (corners, what) => {
+      for (const t of triangles) {
+        const [x, y] = [0, 1].map((k) => (corners[6 * t + k] + corners[6 * t + 2 + k] + corners[6 * t + 4 + k]) / 3); // prettier-ignore
+        assert.equal(view.pick(inWindow(view, x, y))?.triangle, t, what);
+      }
+    };
+    const maps = [[1, 40, -9], [-3, 0, 2], [0.2, -70, 70]].map(([scale, x, y]) => solution.cornerUv.map((z, c) => scale * z + (c % 2 ? y : x))); // prettier-ignore
+    for (const isLooked of [false, true]) {
+      if (isLooked) finds(solution.cornerUv, 'stored');
+      for (const cornerUv of maps) {
+        view.setLive({ state: 'certified', cornerUv, heat: [], notPositive: new Uint32Array(0) });
+        finds(cornerUv, 'under the hand');
+      }
+      view.setLive(undefined);
+      finds(solution.cornerUv, 'stored again');
+    }
+  }));
+
 test('a cone is marked at each of its images in the map, and under the hand where its map has it', () =>
   withCanvases(({ rest }) => {
     const { view, markers } = viewOf(rest);

@@ -24,8 +24,9 @@ export async function evenOut(app: App): Promise<void> {
   // A tip is shrunk by the map: a cone of positive curvature there makes it larger; and the other way round.
   const added = [...conesAt(larger.vertices, q - 1), ...conesAt(smaller.vertices, q + 1)];
   const wanted = { ...prescription, cones: [...cones, ...added] };
-  const all = added.length > 0 ? await balanced(model, wanted).catch(() => wanted.cones) : [];
-  if (doc.prescription !== prescription || added.length === 0) return;
+  if (added.length === 0) return;
+  const all = await balanced(model, wanted).catch(() => wanted.cones);
+  if (doc.prescription !== prescription) return; // edited in the meantime
   if (!setPrescription(app, { ...prescription, cones: all }, 'even out sizes')) return;
   const balancing = all.length - cones.length - added.length;
   const more = balancing > 0 ? `, and ${balancing} to balance them` : '';

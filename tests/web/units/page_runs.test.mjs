@@ -73,11 +73,20 @@ test(
     assert.match(status(), /Run suggests/);
     assert.match(textOf($('hgp-cones-panel')), /No cones yet/);
 
+    // However quick the solver is, it goes on until the page was looked at.
+    let goOn;
+    const isSeen = new Promise((resolve) => (goOn = resolve));
+    const { analyse } = app.geometry;
+    t.mock.method(app.geometry, 'analyse', async (...args) => {
+      await isSeen;
+      return analyse.apply(app.geometry, args);
+    });
     await click('#run');
     assert.equal(doc.stateName, 'running');
     assert.equal($('#run'), null, 'Cancel is in its place');
     assert.equal($('#status').className, '');
     assert.match(status(), /^Running/);
+    goOn();
     await until(() => !doc.isBusy);
     assert.equal(doc.stateName, 'certified');
     consistent(app);

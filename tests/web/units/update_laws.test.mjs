@@ -3,6 +3,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { BufferGeometry } from 'three';
 import { storeOf } from '../../../web/src/model/store.ts';
 import { ViewUpdates } from '../../../web/src/views/view_updates.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
@@ -327,14 +328,92 @@ test('beside the open mesh every other one has its last map, in a pattern that i
   assert.equal(none.named('model.setScene').at(-1)[0].open, -1);
 });
 
-test('materials that cannot be read are told of where they were asked for; elsewhere the shape is shown without them', async (t) => {
-  replace(t, 'self', globalThis);
-  replace(t, 'ProgressEvent', globalThis.ProgressEvent ?? class extends Event {});
-  const info = { surface: 1, triangles: 2, usable: true, file: { format: 'gltf' } };
-  const file = (text) => ({ ...modelOf(1), info, main: 'a.gltf', files: new Map([['a.gltf', new Blob([text])]]) }); // prettier-ignore
+/** A glTF in one text, and a model of it. */
+function gltfText() {
   const { json, bin } = toGltf([cubeMesh(1)]);
   json.buffers[0].uri = `data:application/octet-stream;base64,${Buffer.from(bin).toString('base64')}`; // prettier-ignore
-  const good = JSON.stringify(json);
+  return JSON.stringify(json);
+}
+const gltfInfo = { surface: 1, triangles: 2, usable: true, file: { format: 'gltf' } };
+const file = (text) => ({ ...modelOf(1), info: gltfInfo, main: 'a.gltf', files: new Map([['a.gltf', new Blob([text])]]) }); // prettier-ignore
+function letRead(t) {
+  replace(t, 'self', globalThis);
+  replace(t, 'ProgressEvent', globalThis.ProgressEvent ?? class extends Event {});
+}
+
+test('materials of a file are freed when others take their place or there are none, not before; those that come late, at once', async (t) => {
+  letRead(t);
+  const good = gltfText();
+  const open = () => ({ model: { ...file(good), info: { ...gltfInfo, surface: 0 } }, parts: [{ mesh: 0, matrices: [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]] }] }); // prettier-ignore
+  const freed = [];
+  t.mock.method(BufferGeometry.prototype, 'dispose', function dispose() {
+    freed.push(this);
+  });
+  const own = ({ group }) => {
+    const found = [];
+    group.traverse(({ geometry }) => geometry && found.push(geometry));
+    assert.ok(found.length > 0);
+    return found;
+  };
+  const one = updated(t, { doc: open() });
+  const shown = () => [...new Set(one.named('model.setOriginal').map(([scene]) => scene))].filter(Boolean); // prettier-ignore
+  const displayed = { ...solutionOf(1), files: [{ name: 'a.gltf', bytes: new TextEncoder().encode(good) }] }; // prettier-ignore
+  const steps = [
+    () => Object.assign(one.doc, open()),
+    () => Object.assign(one.doc, { displayed, look: { ...look, pattern: 'material' } }),
+    () => Object.assign(one.doc, open(), { displayed: undefined, look }),
+  ];
+  await one.settled();
+  for (const [i, step] of steps.entries()) {
+    assert.equal(shown().length, i + 1);
+    const last = own(shown().at(-1));
+    assert.ok(
+      last.every((geometry) => !freed.includes(geometry)),
+      'it is shown',
+    );
+    step();
+    await one.settled();
+    assert.ok(
+      last.every((geometry) => freed.includes(geometry)),
+      'another one is',
+    );
+  }
+  const last = own(shown().at(-1));
+  one.doc.model = undefined;
+  await one.settled();
+  assert.ok(
+    last.every((geometry) => freed.includes(geometry)),
+    'none is',
+  );
+  assert.equal(shown().length, steps.length + 1);
+  assert.equal(new Set(freed).size, freed.length, 'each once');
+  assert.equal(freed.length, shown().flatMap(own).length);
+  // One that is replaced while it is read is never shown.
+  let goOn;
+  const isReplaced = new Promise((resolve) => (goOn = resolve));
+  const slow = open();
+  const blob = slow.model.files.get('a.gltf');
+  let asked = 0;
+  blob.arrayBuffer = async () => {
+    asked += 1;
+    await isReplaced;
+    return Blob.prototype.arrayBuffer.call(blob);
+  };
+  Object.assign(one.doc, slow);
+  while (asked === 0) await turn();
+  Object.assign(one.doc, open());
+  for (let i = 0; i < 5; i++) await turn();
+  goOn();
+  await one.settled();
+  assert.equal(shown().length, steps.length + 2);
+  const late = freed.slice(shown().slice(0, -1).flatMap(own).length);
+  assert.ok(late.length > 0 && !late.some((geometry) => shown().flatMap(own).includes(geometry)));
+});
+
+test('materials that cannot be read are told of where they were asked for; elsewhere the shape is shown without them', async (t) => {
+  letRead(t);
+  const info = gltfInfo;
+  const good = gltfText();
   for (const [pattern, isTold] of [
     ['checker', false],
     ['material', true],

@@ -223,7 +223,10 @@ function anyMap(random, { certified = true, most = 3 } = {}) {
     const uv = Float64Array.from({ length: 2 * most * (positions.length / 3) }, random);
     const cornerToUv = Uint32Array.from(triangles, (v) => most * v + Math.floor(most * random()));
     asked.push({ positions: [...positions], triangles: [...triangles], options });
-    return { uv, cornerToUv, seams: [], positions, certificate: { certified } };
+    const vertices = positions.length / 3;
+    const uvToVertex = Uint32Array.from({ length: most * vertices }, (_, i) => Math.floor(i / most)); // prettier-ignore
+    const seams = Array.from({ length: 5 }, () => ({ a: [0, 0].map(() => Math.floor(uvToVertex.length * random())) })); // prettier-ignore
+    return { uv, cornerToUv, seams, uvToVertex, positions, certificate: { certified } };
   };
   return { parametrizeRendered, asked };
 }
@@ -307,6 +310,17 @@ test('whatever a document has stays at every corner, next to the first free set 
   }
 });
 
+test('where the map splits no vertex, every attribute is the very one that was there', async () => {
+  const random = randomFrom(12);
+  const { document, mesh } = anyDocument(random, []);
+  const before = mesh.listPrimitives().map((one) => one.listAttributes());
+  await document.transform(seamless({ client: anyMap(random, { most: 1 }) }));
+  mesh.listPrimitives().forEach((one, p) => {
+    const kept = one.listAttributes().filter((attribute) => before[p].includes(attribute));
+    assert.deepEqual(kept, before[p]);
+  });
+});
+
 test('a map that is not certified is written only where that is allowed; a mesh without triangles is passed over', async () => {
   const random = randomFrom(6);
   for (const certified of [true, false])
@@ -368,7 +382,12 @@ test('a geometry keeps its name, data, groups, range, and every attribute in its
     given.setDrawRange(3, 6);
     const attribute = ['uv', 'uv1'][round % 2];
     const client = anyMap(random);
-    const { geometry, result } = await parametrizeGeometry(client, given, { attribute, weld: 0.1, q: 2 }); // prettier-ignore
+    const { geometry, result, seams } = await parametrizeGeometry(client, given, { attribute, weld: 0.1, q: 2 }); // prettier-ignore
+    const asked = client.asked[0];
+    const place = (v) => asked.positions.slice(3 * v, 3 * v + 3);
+    assert.deepEqual(asked.triangles.map(place), corners(given, given.attributes.position));
+    const ends = seams.geometry.attributes.position;
+    assert.deepEqual(corners(seams.geometry, ends), result.seams.flatMap(({ a }) => a.map((end) => place(result.uvToVertex[end])))); // prettier-ignore
     for (const member of ['name', 'userData', 'groups', 'drawRange', 'morphTargetsRelative'])
       assert.deepEqual(geometry[member], given[member], member);
     assert.notEqual(geometry.userData, given.userData, 'a copy');

@@ -59,12 +59,10 @@ function gather(mesh: Mesh): { parts: Part[]; positions: number[]; triangles: nu
 /** A copy of an accessor with one element per new vertex. */
 function splitAccessor(document: Document, accessor: Accessor, vertexOf: number[]): Accessor {
   const size = accessor.getElementSize();
-  const from = (accessor.getArray() as Numbers | null) ?? new Float32Array(0);
+  const from = accessor.getArray() as Numbers; // it has one, as it has elements
   const Type = from.constructor as new (length: number) => Numbers;
   const array = new Type(vertexOf.length * size);
-  vertexOf.forEach((v, i) => {
-    for (let k = 0; k < size; k++) array[i * size + k] = from[v * size + k];
-  });
+  vertexOf.forEach((v, i) => array.set(from.subarray(v * size, v * size + size), i * size));
   return document
     .createAccessor(accessor.getName())
     .setType(accessor.getType())

@@ -54,13 +54,9 @@ function positionsOf(geometry: BufferGeometry): Float32Array {
   const attributes = (geometry as Partial<BufferGeometry> | undefined)?.attributes;
   const position = attributes?.position;
   if (!position) throw usage('parametrizeGeometry takes a BufferGeometry with positions');
-  const positions = new Float32Array(3 * position.count);
-  for (let v = 0; v < position.count; v++) {
-    positions[3 * v] = position.getX(v);
-    positions[3 * v + 1] = position.getY(v);
-    positions[3 * v + 2] = position.getZ(v);
-  }
-  return positions;
+  return Float32Array.from({ length: 3 * position.count }, (_, i) =>
+    position.getComponent(Math.floor(i / 3), i % 3),
+  );
 }
 
 function trianglesOf({ index, attributes }: BufferGeometry): Uint32Array {
@@ -83,7 +79,8 @@ function splitAttribute(attribute: Attribute, vertexOf: number[]): BufferAttribu
   const Type = from.constructor as new (length: number) => TypedArray;
   const array = new Type(vertexOf.length * itemSize);
   vertexOf.forEach((v, i) => {
-    for (let k = 0; k < itemSize; k++) array[i * itemSize + k] = from[v * stride + offset + k];
+    const at = v * stride + offset;
+    array.set(from.subarray(at, at + itemSize), i * itemSize);
   });
   const split = new BufferAttribute(array, itemSize, normalized);
   split.name = attribute.name;

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import test from 'node:test';
-import { built } from './support.mjs';
+import { built, HgpError } from './support.mjs';
 
 const { CoreDrag } = await import(path.join(built, 'lib/drag.js'));
 
@@ -147,3 +147,72 @@ test('what is released takes with it what was made of it, drags of its maps too;
   assert.equal(new Set(freed).size, made, 'each of them');
   assert.equal(freed.length, made, 'and once');
 }); // prettier-ignore
+
+test('a drag prepares once what comes next, when for eighty milliseconds no call has come, waited or been under way', async (t) => {
+  const { serve } = await import(path.join(built, 'lib/worker.js'));
+  const [{ CoreModel }, { CoreMap }] = await Promise.all(['core_model', 'core_map'].map((name) => import(path.join(built, `lib/${name}.js`)))); // prettier-ignore
+  const handle = (Kind, members) => Object.create(Kind.prototype, Object.fromEntries(Object.entries({ data: {}, info: {}, ...members }).map(([key, value]) => [key, { value }]))); // prettier-ignore
+  let prepared = 0;
+  let fails = false;
+  const prepare = () => {
+    prepared += 1;
+    if (fails) throw new HgpError({ code: 'no-map', message: 'so it is' });
+  };
+  const drag = handle(CoreDrag, { prepare, dragTo: () => ({ state: 'heat' }), path: [0] });
+  let goOn;
+  const core = {
+    loadMesh: () => handle(CoreModel, { parametrize: () => handle(CoreMap, { beginDrag: () => drag }) }),
+    prepare: () => new Promise((resolve) => (goOn = resolve)),
+    parametrizeFile: () => ({}),
+  }; // prettier-ignore
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const turn = () => new Promise((resolve) => setImmediate(resolve));
+  const answered = [];
+  const send = serve(async () => core, ({ id }) => answered.push(id)); // prettier-ignore
+  let calls = 0;
+  const ask = (method, more) => send({ id: ++calls, method, args: [], restore: [], wantsProgress: false, ...more }); // prettier-ignore
+  const step = () => ask('dragTo', { on: 3, args: [5] });
+  const read = () => ask('parametrizeFile', { args: [{ main: 'a', files: new Map() }, {}] });
+  const passes = async (milliseconds, expected, what) => {
+    await turn();
+    t.mock.timers.tick(milliseconds);
+    await turn();
+    assert.equal(prepared, expected, what);
+  };
+  send({ id: 0, method: 'init', args: [], restore: [] });
+  ask('loadMesh', { makes: 1 });
+  ask('parametrize', { on: 1, makes: 2 });
+  ask('beginDrag', { on: 2, makes: 3, args: [0] });
+  await passes(1000, 0, 'no step was made');
+  step();
+  await passes(79, 0);
+  await passes(1, 1, 'at rest');
+  await passes(1000, 1, 'once');
+  // A call that comes in the meantime, and takes its time.
+  step();
+  await passes(70, 1);
+  read();
+  await passes(1000, 1, 'a call is under way');
+  goOn({});
+  await passes(79, 1);
+  await passes(1, 2);
+  // Calls that wait behind a step, and steps that wait behind a call.
+  step();
+  read();
+  await passes(1000, 2, 'a call was waiting');
+  step();
+  goOn({});
+  await passes(79, 2);
+  await passes(1, 3);
+  // What goes wrong at rest ends nothing.
+  fails = true;
+  step();
+  await passes(80, 4);
+  fails = false;
+  step();
+  await passes(80, 5);
+  assert.deepEqual(
+    answered,
+    Array.from({ length: calls }, (_, i) => i + 1),
+  );
+});

@@ -151,7 +151,6 @@ export class Pointer {
 
   #release(view: View, event: PointerEvent): void {
     const down = this.#down;
-    clearTimeout(this.#timer);
     if (down && down.cone >= 0) {
       this.#down = undefined;
       void attempt(this.#app, () => dropLive(this.#app, `move cone: ${down.time}`));

@@ -244,14 +244,16 @@ export function serve(
     }
   };
   let last = Promise.resolve();
+  let waiting = 0; // calls that have not ended
   let resting: ReturnType<typeof setTimeout> | undefined;
   return (message) => {
+    waiting += 1;
     clearTimeout(resting);
     last = last
       .then(() => handle(message as Call))
       .then(() => {
-        clearTimeout(resting);
-        resting = setTimeout(() => server?.useRest(), rest);
+        waiting -= 1;
+        if (waiting === 0) resting = setTimeout(() => server?.useRest(), rest);
       });
   };
 }

@@ -167,3 +167,54 @@ test('another mesh under the pointer is named and chosen by a click, the open on
     assert.equal(doc.prescription.cones, cones, 'no cone is placed on what is behind');
     assert.equal(ui.hover, '');
   }));
+
+test('a cone is taken by what is nearer to it than 18 pixels with a mouse, 22 with a pen, 28 with a finger, in either view', () =>
+  withCanvases(async ({ rest }) => {
+    const page = opened({ rest, hasMap: false, tool: 'orbit' });
+    const { doc, model, uv, click } = page;
+    doc.begin({ ...doc.prescription, cones: [{ vertex: 5, k: 3 }, { vertex: 9, k: 3 }] }); // prettier-ignore
+    for (const [pointerType, reach] of [
+      ['mouse', 18],
+      ['pen', 22],
+      ['touch', 28],
+      ['other', 18],
+    ])
+      // prettier-ignore
+      for (const pixels of [0, 1, reach - 0.25, reach, reach + 0.25, 60]) {
+        const isTaken = pixels < reach;
+        for (const [cone, vertex] of [[0, 5], [1, 9], [-1, 3]]) { // prettier-ignore
+          uv.pick = () => ({ vertex, pixels, triangle: 0 });
+          doc.selected = -1;
+          await click(uv, [100, 100], { pointerType });
+          assert.equal(doc.selected, isTaken ? cone : -1, `map: ${pointerType}, ${pixels}`);
+        }
+        // In the 3D view it is the distance on the screen, here to the second cone; the first is elsewhere.
+        model.pick = () => undefined;
+        for (const [dx, dy] of [[pixels, 0], [0, -pixels], [-pixels * 0.6, pixels * 0.8]]) { // prettier-ignore
+          model.toScreen = (v) => (v === 9 ? { x: 100 + dx, y: 100 + dy } : { x: 400, y: 300 });
+          if (dx * dy !== 0 && pixels === reach) continue; // as sums of squares may round
+          doc.selected = -1;
+          await click(model, [100, 100], { pointerType });
+          assert.equal(doc.selected, isTaken ? 1 : -1, `3D: ${pointerType}, ${pixels}`);
+        }
+      }
+    uv.pick = () => undefined;
+    await click(uv, [100, 100]);
+    assert.equal(doc.selected, -1, 'beside the map');
+  }));
+
+test('a press is seen before the controls of the view see it, so that they do not turn what is dragged', (t) =>
+  withCanvases(({ rest }) => {
+    const added = [];
+    const { addEventListener } = EventTarget.prototype;
+    t.mock.method(EventTarget.prototype, 'addEventListener', function add(type, listener, how) {
+      added.push({ target: this, type, isFirst: how === true || how?.capture === true });
+      return addEventListener.call(this, type, listener, how);
+    });
+    const { model, uv } = opened({ rest });
+    for (const { canvas } of [model, uv]) {
+      const presses = added.filter(({ target, type }) => target === canvas && type === 'pointerdown'); // prettier-ignore
+      assert.ok(presses.length > 1, 'that of the controls, too');
+      assert.equal(presses.filter(({ isFirst }) => isFirst).length, 1);
+    }
+  }));

@@ -112,6 +112,29 @@ test(
     assert.ok(last()[0] === 'uv-pan' && last()[1] > 0);
     await press('#map', 'PageUp');
     assert.equal(last()[0], 'zoom');
+    // Opposite keys undo one another, and steps are as long up and down as left and right.
+    for (const [view, kind, more] of [
+      ['#view', 'move', {}],
+      ['#view', 'pan', { shiftKey: true }],
+      ['#map', 'uv-pan', {}],
+    ]) {
+      // prettier-ignore
+      const step = async (key) => {
+        await press(view, key, more);
+        assert.equal(last()[0], kind);
+        return last().slice(1, 3);
+      };
+      const [left, right, up, down] = [await step('ArrowLeft'), await step('ArrowRight'), await step('ArrowUp'), await step('ArrowDown')]; // prettier-ignore
+      assert.ok(left[0] !== 0 && left[0] + right[0] === 0 && left[1] === 0 && right[1] === 0, kind);
+      assert.ok(up[0] === 0 && down[0] === 0 && up[1] + down[1] === 0, kind);
+      assert.ok(Math.abs(up[1]) === Math.abs(left[0]) && Math.abs(up[1]) < 0.3, kind);
+    }
+    for (const view of ['#view', '#map']) {
+      await press(view, 'PageUp');
+      const nearer = last().at(-1);
+      await press(view, 'PageDown');
+      assert.ok(nearer < 1 && nearer > 0.5 && Math.abs(nearer * last().at(-1) - 1) < 1e-9, view);
+    }
     await press('#view', 'c');
     assert.equal(ui.tool, 'place');
     assert.deepEqual(last(), ['cursor', 9]);

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { Quaternion, Vector3 } from 'three';
 import { keepFeatures } from '../../../web/src/actions/keep_features.ts';
 import {
   countRuns,
@@ -15,6 +16,7 @@ import {
   withChain,
 } from '../../../web/src/model/features.ts';
 import { cliCommand } from '../../../web/src/text/cli_command.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { flatSquare } from '../shapes.mjs';
 
 const surfaceOf = ({ vertices, triangles }) => ({
@@ -69,6 +71,66 @@ test('the rim of a square is known, and a chain on it ends at the corners', () =
   assert.equal(rims.length, 4 * n);
   assert.equal(countRuns(rims), 1);
   assert.equal(map.chainThrough(rims[0]).length, n);
+});
+
+/** Places in space, turned and moved at random. */
+function turnedAtRandom(random) {
+  const turn = new Quaternion(...[0, 1, 2, 3].map(() => random() - 0.5)).normalize();
+  const move = new Vector3(...[0, 1, 2].map(() => 5 * random()));
+  return (p) => new Vector3(...p).applyQuaternion(turn).add(move).toArray();
+}
+
+test('an edge is sharp if the surface bends there by more than 18 degrees, up or down, however it lies and is wound', () => {
+  const random = randomFrom(3);
+  for (const degrees of [0, 1, 10, 17.9, 18.1, 30, 89, 120, 179])
+    for (let round = 0; round < 12; round++) {
+      const bend = ((round % 2 ? degrees : -degrees) * Math.PI) / 180;
+      const place = turnedAtRandom(random);
+      const [far, other] = [0.2 + 3 * random(), 0.2 + 3 * random()];
+      const vertices = [[0, 0, 0], [0, 2 + random(), 0], [-far, random(), 0], [other * Math.cos(bend), random(), other * Math.sin(bend)]].map(place); // prettier-ignore
+      // Each triangle begins at any of its corners; both are wound in the one way or the other.
+      const begun = (triangle) => { const k = Math.floor(3 * random()); return [...triangle.slice(k), ...triangle.slice(0, k)]; }; // prettier-ignore
+      const triangles = [[0, 1, 2], [1, 0, 3]].map((one) => begun(round % 4 < 2 ? one : one.toReversed())); // prettier-ignore
+      const map = new EdgeMap(surfaceOf({ vertices, triangles }));
+      for (const edge of [[0, 1], [1, 0]]) assert.equal(map.isSharp(edge), degrees > 18, `${degrees} of ${round}`); // prettier-ignore
+      for (const edge of [[0, 2], [1, 3], [2, 3]]) assert.equal(map.isSharp(edge), false, 'a rim, and no edge'); // prettier-ignore
+    }
+});
+
+test('a chain goes on along a rim up to where it turns by more than 40 degrees, in both directions', () => {
+  const random = randomFrom(5);
+  for (let round = 0; round < 60; round++) {
+    const turns = [];
+    for (let left = 360; left > 0;) {
+      const one = Math.min(left, [5, 20, 39.5, 40.5, 60][Math.floor(5 * random())]);
+      turns.push(one);
+      left -= one;
+    }
+    if (turns.length < 4) continue;
+    // A polygon around a circle, which its sides touch; side k ends at corner k, where it turns.
+    const count = turns.length;
+    let angle = 0;
+    const around = turns.map((turn) => {
+      const half = (turn * Math.PI) / 360;
+      const at = (angle * Math.PI) / 180 + half;
+      angle += turn;
+      return [Math.cos(at) / Math.cos(half), Math.sin(at) / Math.cos(half), 0];
+    });
+    const vertices = [...around, [0, 0, 0]].map(turnedAtRandom(random));
+    const triangles = around.map((_, k) => [(k + count - 1) % count, k, count]);
+    const map = new EdgeMap(surfaceOf({ vertices, triangles }));
+    const nameOf = ([a, b]) => `${Math.min(a, b)} ${Math.max(a, b)}`;
+    const side = (k) => [(k + count - 1) % count, k % count];
+    for (let k = 0; k < count; k++) {
+      const expected = new Set([nameOf(side(k))]);
+      for (let at = k; turns[at % count] <= 40 && at < k + count; at++) expected.add(nameOf(side(at + 1))); // prettier-ignore
+      for (let at = k + count; turns[(at - 1) % count] <= 40 && at > k; at--) expected.add(nameOf(side(at - 1))); // prettier-ignore
+      for (const picked of [side(k), side(k).toReversed()]) {
+        const chain = map.chainThrough(picked).map(nameOf);
+        assert.deepEqual([new Set(chain), chain.length], [expected, expected.size]);
+      }
+    }
+  }
 });
 
 test('chosen chains are added once and taken out again', () => {

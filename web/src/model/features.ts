@@ -1,6 +1,7 @@
 // Edges that become straight lines of the map: creases, rims, chosen ones and those in a plane of symmetry. Values are immutable.
 
 import type { Features, ModelInfo } from 'hgp';
+import { areaVector } from './triangle';
 
 /** What is needed of a surface. */
 export interface Shape {
@@ -175,9 +176,11 @@ export class EdgeMap {
   }
 
   #normal(triangle: number): number[] {
-    const [a, b, c] = [0, 1, 2].map((k) => this.#point(this.#surface.triangles[3 * triangle + k]));
-    const [p, q] = [difference(b, a), difference(c, a)];
-    return unit([p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]);
+    const { places, triangles } = this.#surface;
+    const [a, b, c] = triangles.subarray(3 * triangle, 3 * triangle + 3).map((v) => 3 * v);
+    const normal = new Float64Array(3);
+    areaVector(places, a, b, c, normal);
+    return unit([...normal]);
   }
 
   /** Whether the surface bends at an inner edge. */

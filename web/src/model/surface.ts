@@ -1,5 +1,6 @@
 // Facts about a surface that need no worker.
 
+import { areaOf } from './triangle';
 import type { Surface } from './types';
 
 /** The angle defect at v in degrees: positive at a corner of a cube, negative at a saddle. */
@@ -13,17 +14,13 @@ function defect(surface: Surface, v: number): number {
 
 /** Length in the map per length on the surface, in one triangle; `uv`: two numbers per corner. */
 export function scaleAt(
-  { positions: p, triangles }: Pick<Surface, 'positions' | 'triangles'>,
+  surface: Pick<Surface, 'positions' | 'triangles'>,
   uv: ArrayLike<number>,
   t: number,
 ): number {
-  const [a, b, c] = [0, 1, 2].map((k) => 3 * triangles[3 * t + k]);
-  const from = (corner: number): number[] => [0, 1, 2].map((i) => p[corner + i] - p[a + i]);
-  const [u, v] = [from(b), from(c)];
-  const area = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]); // prettier-ignore
   const at = 6 * t;
   const [dx, dy, ex, ey] = [uv[at + 2] - uv[at], uv[at + 3] - uv[at + 1], uv[at + 4] - uv[at], uv[at + 5] - uv[at + 1]]; // prettier-ignore
-  return Math.sqrt(Math.abs(dx * ey - dy * ex) / area);
+  return Math.sqrt(Math.abs(dx * ey - dy * ex) / (2 * areaOf(surface, t)));
 }
 
 const reach = 0.03; // as a fraction of the diagonal

@@ -2,7 +2,7 @@
 // divided by the creases that meet there, and each part has the area-weighted mean of its own normals.
 
 import { forEachIndex } from './loops';
-import { areaVector } from './triangle';
+import { areaVector } from '../../model/triangle';
 
 /** Corners that do not have the normal of their vertex, ascending, and three numbers for each. */
 export interface CreaseNormals {

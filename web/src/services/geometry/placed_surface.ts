@@ -4,7 +4,7 @@
 import type { Surface as Arrays, SurfaceFacts } from 'hgp';
 import type { Surface } from '../../model/types';
 import { forEachIndex } from './loops';
-import { areaVector } from './triangle';
+import { areaVector } from '../../model/triangle';
 
 export type SurfaceArrays = Arrays;
 

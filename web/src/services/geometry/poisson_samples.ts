@@ -2,7 +2,7 @@
 
 import type { Surface } from '../../model/types';
 import { randomSequence } from './random_sequence';
-import { areaOf } from './triangle';
+import { areaOf } from '../../model/triangle';
 
 export interface Sample {
   triangle: number;

@@ -4,7 +4,7 @@
 import type { SizePlaces, Sizes } from '../../model/measures';
 import type { Surface } from '../../model/types';
 import { randomSequence } from './random_sequence';
-import { areaOf } from './triangle';
+import { areaOf } from '../../model/triangle';
 
 type Values = ArrayLike<number>;
 

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { runInNewContext } from 'node:vm';
+import { Worker } from 'node:worker_threads';
 import { gzipSync } from 'node:zlib';
 import { bumpyDisk } from '../support/disk.mjs';
 import { readTables } from '../../wasm/options.mjs';
@@ -23,8 +24,17 @@ const { optionsOf } = await import(path.join(built, 'lib/check_options.js'));
 const disk = bytesOf(bumpyDisk(4));
 const cube = cubeMesh(3);
 
-/** Rejects with a usage error that says what was wrong; the client then still works. */
+/** The calls that were sent to workers; not those by which clients begin and handles are released. */
+const sent = [];
+const { postMessage } = Worker.prototype;
+Worker.prototype.postMessage = function post(message, ...more) {
+  if (!['init', 'release', undefined].includes(message?.method)) sent.push(message.method);
+  return postMessage.call(this, message, ...more);
+};
+
+/** Rejects with a usage error that says what was wrong, before the worker sees it; the client then still works. */
 async function refused(client, call, message) {
+  sent.length = 0;
   const error = await call().then(
     () => assert.fail(`accepted, but should say ${message}`),
     (reason) => reason,
@@ -32,6 +42,7 @@ async function refused(client, call, message) {
   assert.ok(error instanceof HgpError, String(error?.stack ?? error));
   assert.equal(error.code, 'usage', error.message);
   assert.match(error.message, message);
+  assert.deepEqual(sent, [], 'the worker has not seen it');
   assert.doesNotMatch(error.message, /--[a-z]/, 'no flags of the command line');
 }
 

@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Vector3 } from 'three';
+import { flatCrosses } from '../../../web/src/services/geometry/cross_lines.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { withCanvases } from './canvases.mjs';
 import { cubeSolution, look, mesh } from './cube_view.mjs';
@@ -192,6 +193,31 @@ test('outlines are the sides of triangles and the edges that are given, above th
     view.setModel(surface, undefined);
     view.highlight([3]);
     assert.equal(light.visible, false);
+  }));
+
+test('what is drawn above the map is above it, the more the later it is drawn, and markers above all', () =>
+  withCanvases(({ rest }) => {
+    const { view, seams, ticks, crosses, light, markers } = viewOf(rest);
+    const samples = [{ triangle: 3, s: 0.3, r: 0.3 }];
+    view.setCrosses(flatCrosses({ samples, cornerUv: solution.cornerUv, arm: 0.1, q: 4 }), palette);
+    view.highlight([3], [[1, 2]]);
+    view.setCones({ ...plain, cones: [{ vertex: 0, k: 3 }] }, [], -1);
+    /** The height of all that one of them draws. */
+    const heightOf = ({ geometry }) => {
+      const all = ['from', 'to'].flatMap((name) => [...geometry.getAttribute(name).array].filter((_, i) => i % 3 === 2)); // prettier-ignore
+      assert.equal(new Set(all).size, 1, 'flat');
+      return all[0];
+    };
+    const [[, , marked]] = placesOf(markers);
+    const heights = [seams, crosses, light].map(heightOf);
+    for (const [i, z] of [...heights, marked].entries()) assert.ok(z > (i > 0 ? heights[i - 1] : 0) && z <= 0.0101, `${heights} ${marked}`); // prettier-ignore
+    const strokes = heightOf(ticks);
+    assert.ok(strokes > heights[0] && strokes < heights[2], `${strokes}`);
+    // All of it is in the picture from far and near.
+    for (const z of [0, marked]) {
+      const { z: depth } = new Vector3(0, 0, z).project(view.camera);
+      assert.ok(Math.abs(depth) < 0.9, `${depth}`);
+    }
   }));
 
 test('lines are shown as the look says; another map hides them all until they are made', () =>

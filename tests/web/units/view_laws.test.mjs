@@ -846,6 +846,8 @@ test('a place that is hidden is looked at from a side where it is seen, if there
 });
 
 test('lines on the surface are between one and six pixels wide, what is outlined the widest', () => {
+  const ofQuads = new QuadsView(new Matrix3()).children[1].material.uniforms.width.value;
+  assert.ok(ofQuads >= 1 && ofQuads <= 3, `${ofQuads}`);
   const widths = new SurfaceMarks().children.filter((one) => one instanceof Lines).map(({ material }) => material.uniforms.width.value); // prettier-ignore
   const light = widths.at(-2);
   for (const width of widths) assert.ok(width >= 1 && width <= 6 && width <= light, `${width}`);

@@ -150,7 +150,7 @@ export class Core {
       if (options.target === 'ply' && format !== 'ply')
         throw usage(`load: target is 'ply' for PLY files only; this one is read as ${format}`);
       return {
-        info: notes.length > 0 ? { ...info, notes: [...notes, ...info.notes] } : info,
+        info: { ...info, notes: [...notes, ...info.notes] },
         name: nameFor(main, format, options.target),
         sides: format === 'gltf' ? picturesOf(source) : undefined,
       };

@@ -121,6 +121,32 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
     });
   }));
 
+test('every option of every call is looked at where it is given: a list is none of them', () =>
+  withClient(async (client) => {
+    const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
+    const model = await client.load(disk, { name: 'disk.obj' });
+    const map = await model.parametrize({ boundary: 'convex' });
+    const calls = {
+      load: (some) => client.load(disk, { name: 'disk.obj', ...some }),
+      loadMesh: (some) => client.loadMesh({ ...mesh, ...some }),
+      suggestCones: (some) => model.suggestCones(some),
+      parametrize: (some) => model.parametrize(some),
+      verify: (some) => model.verify(some),
+      write: (some) => map.write(some),
+      quads: (some) => map.quads(some),
+      listFeatures: (some) => model.listFeatures({ rims: true }, some),
+      parametrizeFile: (some) => client.parametrizeFile(disk, { name: 'disk.obj', ...some }),
+      combine: (some) => client.combine([map], some),
+    };
+    const names = (call) => Object.keys(optionsOf[call]);
+    for (const [call, act] of Object.entries(calls))
+      for (const name of names(call)) await refused(client, () => act({ [name]: [] }), new RegExp(`\\b${name} is .*an array`)); // prettier-ignore
+    for (const name of [...names('loadMesh'), ...names('parametrize')])
+      await refused(client, () => client.parametrizeMesh({ ...mesh, [name]: [] }), new RegExp(`\\b${name} is .*an array`)); // prettier-ignore
+    for (const name of names('load')) await refused(client, () => client.parametrizeRendered(mesh, { [name]: [] }, {}), /an array/); // prettier-ignore
+    for (const name of names('parametrize')) await refused(client, () => client.parametrizeRendered(mesh, {}, { [name]: [] }), /an array/); // prettier-ignore
+  }));
+
 test('the core says in the thread that calls it what is wrong with cones, features and vertices, as its client does', async () => {
   const core = await createCore();
   const model = core.load({ main: 'disk.obj', files: new Map([['disk.obj', disk]]) });

@@ -143,6 +143,17 @@ test('every option of every call is looked at where it is given: a list is none 
       for (const name of names(call)) await refused(client, () => act({ [name]: [] }), new RegExp(`\\b${name} is .*an array`)); // prettier-ignore
     for (const name of [...names('loadMesh'), ...names('parametrize')])
       await refused(client, () => client.parametrizeMesh({ ...mesh, [name]: [] }), new RegExp(`\\b${name} is .*an array`)); // prettier-ignore
+    const given = {
+      check: (bad) => model.check(bad),
+      logScale: (bad) => model.logScale(bad),
+      balanceCones: (bad) => model.balanceCones(bad),
+      transferCones: (bad) => model.transferCones(bad, model),
+      listFeatures: (bad) => model.listFeatures(bad),
+      readCones: (bad) => model.readCones(bad),
+      beginDrag: (bad) => map.beginDrag(bad),
+    };
+    for (const [call, act] of Object.entries(given))
+      for (const bad of [[], 'cones', 4.5, null, { cone: 1 }]) await refused(client, () => act(bad), new RegExp(`^${call}: `)); // prettier-ignore
     for (const name of names('load')) await refused(client, () => client.parametrizeRendered(mesh, { [name]: [] }, {}), /an array/); // prettier-ignore
     for (const name of names('parametrize')) await refused(client, () => client.parametrizeRendered(mesh, {}, { [name]: [] }), /an array/); // prettier-ignore
   }));

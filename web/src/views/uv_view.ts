@@ -233,10 +233,8 @@ export class UvView extends CanvasView {
     const { uv, uvToVertex, triangles } = solution.result;
     if (this.#live.isShown) {
       const at = this.#mesh.geometry.getAttribute('uv').array;
-      for (let c = 0; c < triangles.length; c++) add(triangles[c], at[2 * c], at[2 * c + 1]);
-    } else {
-      for (let i = 0; i < uvToVertex.length; i++) add(uvToVertex[i], uv[2 * i], uv[2 * i + 1]);
-    }
+      triangles.forEach((vertex, c) => add(vertex, at[2 * c], at[2 * c + 1]));
+    } else uvToVertex.forEach((vertex, i) => add(vertex, uv[2 * i], uv[2 * i + 1]));
     this.#markers.show([...markers.values()]);
     this.draw();
   }

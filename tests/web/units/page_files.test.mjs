@@ -171,6 +171,8 @@ test(
     end();
     await running;
     assert.deepEqual([doc.settings.weld, $('#weld').value], [0.001, '0.001']);
+    await choose('#weld', '0');
+    await until(() => !doc.isBusy && doc.settings.weld === 0, 'equal places alone');
     await choose('#weld', '');
     await until(() => !doc.isBusy && doc.settings.weld === undefined);
   },

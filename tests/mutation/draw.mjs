@@ -30,6 +30,9 @@ const swap = (match, word) => match.replace(word, swapped[word]);
 const word = String.raw`[\w.]+(?:\[\w+\])?`;
 const notAStatement = String.raw`(?!return|const|auto|using|case|break|continue|else|if|for|while|do|switch|default|throw|static|struct|class|enum|public|private|template|HGP_CHECK)`; // prettier-ignore
 
+/** Functions whose arguments may be swapped, which is no fault. */
+export const isSymmetric = (name) => /^(?:min|max|hypot|gcd|swap)$/.test(name);
+
 /** Each kind: where it applies, in code without comments and strings, and what stands there afterwards. */
 const kinds = {
   sign: [/ ([+-]) (?=[\w(])/g, swap],
@@ -38,7 +41,7 @@ const kinds = {
   equality: [/ (==|!=) /g, swap],
   logic: [/ (&&|\|\|) /g, swap],
   negation: [/!(?=[a-zA-Z_(])/g, () => ''],
-  arguments: [new RegExp(String.raw`\b(\w+)\((${word}), (${word})\)`, 'g'), (_, f, a, b) => `${f}(${b}, ${a})`], // prettier-ignore
+  arguments: [new RegExp(String.raw`\b(\w+)\((${word}), (${word})\)`, 'g'), (call, f, a, b) => (isSymmetric(f) ? call : `${f}(${b}, ${a})`)], // prettier-ignore
   term: [/ [+-] [\w.]+(?:\([^()]*\)|\[[^[\]]*\])*(?=[;,)])/g, () => ''],
   statement: [new RegExp(String.raw`(?<=[;{})]\n)( +)${notAStatement}[\w:.>[\]()*&-]+(?:\(.*\)| [+*/-]?= .*);(?=\n)`, 'g'), (line, space) => (/\.reserve\(/.test(line) ? line : `${space};`)], // prettier-ignore
   constant: [/(?<=constexpr double \w+ = )([^;,]+)(?=;)/g, (value) => `10.0 * (${value})`],

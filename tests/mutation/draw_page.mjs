@@ -3,7 +3,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import ts from 'typescript';
-import { randomFrom } from './draw.mjs';
+import { isSymmetric, randomFrom } from './draw.mjs';
 
 const swapped = { '<': '<=', '<=': '<', '>': '>=', '>=': '>', '===': '!==', '!==': '===', '&&': '||', '||': '&&', '+': '-', '-': '+', min: 'max', max: 'min', true: 'false', false: 'true', some: 'every', every: 'some' }; // prettier-ignore
 const swap = (match, word) => match.replace(word, swapped[word]);
@@ -18,7 +18,7 @@ const kinds = {
   equality: [/ (===|!==) /g, swap],
   logic: [/ (&&|\|\|) /g, swap],
   negation: [/!(?=[a-zA-Z_(])/g, () => ''],
-  arguments: [new RegExp(String.raw`\b(\w+)\((${word}), (${word})\)`, 'g'), (_, f, a, b) => `${f}(${b}, ${a})`], // prettier-ignore
+  arguments: [new RegExp(String.raw`\b(\w+)\((${word}), (${word})\)`, 'g'), (call, f, a, b) => (isSymmetric(f) ? call : `${f}(${b}, ${a})`)], // prettier-ignore
   term: [/ [+-] [\w.]+(?:\([^()]*\)|\[[^[\]]*\])*(?=[;,)])/g, () => ''],
   statement: [new RegExp(String.raw`(?<=[;{})]\n)( +)${notAStatement}[#\w:.[\]()!?&-]+(?:\(.*\)| [+*/?|&-]*= .*);(?=\n)`, 'g'), (_, space) => `${space};`], // prettier-ignore
   constant: [/(?<=const \w+ = )(\d[\d_.e]*)(?=;)/g, (value) => `10 * ${value}`],

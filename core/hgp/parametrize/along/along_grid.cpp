@@ -25,6 +25,8 @@ constexpr double kLineReach = 12.0;
 constexpr int kRoundsPerDensity = 6;
 /// Multiply-adds that all choices of integers of a run may take, per unit of ParametrizeOptions::maxStepsPerFace.
 constexpr double kChoiceWork = 6e7;
+/// Work that is left must suffice for so many updates of all integers, or none are chosen.
+constexpr double kFewestRoundings = 4.0;
 /// Newton steps × triangles that all untangling of a run may take: about a minute.
 constexpr double kGridUntangling = 2.4e7;
 
@@ -69,8 +71,8 @@ class GridAligner {
       return std::move(out_);
     }
     report.integers = static_cast<int>(variables_.size());
-    // A choice begins with as many updates of a dense matrix as there are integers.
-    const double most = std::floor(portable::pow(work_, 1.0 / 3.0));
+    // A rounding takes as many updates of a dense matrix as there are integers, and seldom does the first one suffice.
+    const double most = std::floor(portable::pow(work_ / kFewestRoundings, 1.0 / 3.0));
     if (static_cast<double>(variables_.size()) > most) {
       report.reason =
           Note("features-many-integers", {{"integers", report.integers}, {"most", most}});

@@ -278,10 +278,10 @@ class Parser {
     for (const CLI::Option* option : app.get_options()) {
       for (const std::string& value : option->results()) {
         if (value.compare(0, 2, "--") != 0 || app.get_option_no_throw(value) == nullptr) continue;
-        throw CLI::ValidationError(option->get_name(), "needs a value, and '" + value +
-                                                           "' is an option; a file of that name "
-                                                           "is ./" +
-                                                           value);
+        throw CLI::ValidationError(
+            option->get_name(),
+            formatText("needs a value, and '%s' is an option; a file of that name is ./%s",
+                       value.c_str(), value.c_str()));
       }
     }
   }

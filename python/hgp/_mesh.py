@@ -347,8 +347,8 @@ class Mesh:
             scale: as solved, mean edge length 1, or fitted into the unit square.
             cells, grid: align to a grid of about so many cells, or with cells of this edge length (q = 2 or 4): lines
                 meet at every seam, and one cell is one unit of uv. cells="auto": 14 along the diagonal, at least 800
-                and 40 per cone (in a file of several meshes, the size of those of the largest one), and another number
-                where that gives no aligned map.
+                and 40 per cone, 20 along features (in a file of several meshes, the size of those of the largest
+                one), and another number where that gives no aligned map.
             grid_mode: "quad": cones on grid points as well, so that `Map.quads` gives a mesh of quads; the cells are chosen
                 if neither `cells` nor `grid` is given.
             refine: if there is no map, split edges and solve again.

@@ -88,3 +88,49 @@ test('a block whose triangles leave the grid no room: quads along every crease, 
       assert.ok(Math.min(...edges.map((edge) => distance(p, edge))) < 2e-6, `${p}`);
     }
 });
+
+/** A plate of unit squares with n × n square holes. */
+function perforated(n) {
+  const size = 2 * n + 1;
+  const isHole = (i, j) => i % 2 === 1 && j % 2 === 1;
+  const isSolid = (i, j) => i >= 0 && j >= 0 && i < size && j < size && !isHole(i, j);
+  const ids = new Map();
+  const vertices = [];
+  const id = (...p) => {
+    const key = p.join(' ');
+    if (!ids.has(key)) ids.set(key, vertices.push(p) - 1);
+    return ids.get(key);
+  };
+  const triangles = [];
+  const quad = (a, b, c, d) => triangles.push([a, b, c], [a, c, d]);
+  for (let i = 0; i < size; i++)
+    for (let j = 0; j < size; j++) {
+      if (!isSolid(i, j)) continue;
+      quad(id(i, j, 1), id(i + 1, j, 1), id(i + 1, j + 1, 1), id(i, j + 1, 1));
+      quad(id(i, j, 0), id(i, j + 1, 0), id(i + 1, j + 1, 0), id(i + 1, j, 0));
+      const side = (a, b, c, d) => quad(id(a, b, 0), id(c, d, 0), id(c, d, 1), id(a, b, 1));
+      if (!isSolid(i, j - 1)) side(i, j, i + 1, j);
+      if (!isSolid(i + 1, j)) side(i + 1, j, i + 1, j + 1);
+      if (!isSolid(i, j + 1)) side(i + 1, j + 1, i, j + 1);
+      if (!isSolid(i - 1, j)) side(i, j + 1, i, j);
+    }
+  return { vertices, triangles };
+}
+
+test('many cones along features get many cells where their number is not given', () => {
+  put('plate.obj', toObj(perforated(3)));
+  const quadsOf = (...options) => {
+    good('quads', 'plate.obj', '--creases', '-o', 'out.obj', '--json', 'report.json', '--force', ...options); // prettier-ignore
+    return read('out.obj');
+  };
+  const automatic = quadsOf();
+  const { options, components, cones } = JSON.parse(read('report.json'));
+  assert.equal(cones.cones.length, 80);
+  assert.equal(options.grid.cells, 20 * 80);
+  assert.ok(components[0].grid.cellsPerCone > 14, `${components[0].grid.cellsPerCone}`);
+  assert.equal(quadsOf('--cells', '1600'), automatic, 'the number in the report is the one taken');
+  quadsOf('--cells', '400');
+  const given = JSON.parse(read('report.json'));
+  assert.equal(given.options.grid.cells, 400);
+  assert.ok(given.components[0].grid.cells < 0.6 * components[0].grid.cells);
+});

@@ -184,7 +184,7 @@ TEST(AlongGrid, TheChoiceOfIntegersHasABudget) {
   PreparedSurface surface(shape.mesh);
   const int integers = parametrizeAlongFeatures(surface, spec, options)->grid->integers;
   // So much that it may begin, but not end.
-  const std::optional<Note> exhausted = reasonWith(1.01 * std::pow(integers, 3) / 6e10);
+  const std::optional<Note> exhausted = reasonWith(4.01 * std::pow(integers, 3) / 6e10);
   ASSERT_TRUE(exhausted);
   EXPECT_EQ(exhausted->code, "features-grid-work");
 }

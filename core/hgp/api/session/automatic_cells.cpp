@@ -8,11 +8,12 @@
 #include "hgp/grid/grid_measures.h"
 #include "hgp/mesh/box.h"
 #include "hgp/mesh/finite.h"
+#include "hgp/parametrize/along/along_features.h"
 
 namespace hgp::api {
 namespace {
 
-constexpr double kPerCone = 40.0;
+constexpr double kPerCone = 40.0, kPerConeAlong = 20.0;
 /// On one of several meshes, whose automatic cones are not known yet: with fewer they are crowded.
 constexpr double kFewestOfMany = 200.0;
 constexpr double kMaxAutomatic = 1e6;
@@ -36,12 +37,12 @@ double workingCells(const std::vector<Parametrization>& components) {
 
 }  // namespace
 
-double automaticCells(const Model& model, const Request& request) {
+double automaticCells(const Model& model, const Request& request, int conesAlong) {
   double area = 0.0;
   std::size_t cones = 0;
   for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
   for (const ComponentRequest& component : request.components) cones += component.spec.cones.size();
-  const double needed = kPerCone * static_cast<double>(cones);
+  const double needed = std::max(kPerCone * static_cast<double>(cones), kPerConeAlong * conesAlong);
   const auto surface = static_cast<std::size_t>(model.surface);
   double cells = 0.0;
   if (surface < model.cellLengths.size()) {
@@ -55,9 +56,21 @@ double automaticCells(const Model& model, const Request& request) {
   return std::max(1.0, std::round(std::min(cells, kMaxAutomatic)));
 }
 
-SolveOptions Session::State::withCells(const Request& request, SolveOptions options) const {
+/// Those of the fields along the request's features; 0 where features have none.
+int Session::State::conesAlong(const Request& request) {
+  int cones = 0;
+  for (std::size_t p = 0; p < request.components.size(); ++p) {
+    const HolonomySpec& spec = request.components[p].spec;
+    if (spec.features.empty()) continue;
+    if (const Result<int> found = countConesAlong(surfaceOf(p), spec)) cones += *found;
+    dropLarge(p);
+  }
+  return cones;
+}
+
+SolveOptions Session::State::withCells(const Request& request, SolveOptions options) {
   if (options.choosesCells && !options.grid.isAsked())
-    options.grid.cells = automaticCells(*model, request);
+    options.grid.cells = automaticCells(*model, request, conesAlong(request));
   return options;
 }
 

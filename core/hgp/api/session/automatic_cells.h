@@ -10,6 +10,8 @@ namespace hgp::api {
 /// 14 cells along the diagonal of the model, at least 800, and at least 40 per prescribed cone: fewer cells fail more
 /// often and cause more distortion. With several meshes in the file these have one edge length (cell_lengths.h), which is
 /// halved for a mesh until it has 200 cells, and 40 per prescribed cone.
-double automaticCells(const Model& model, const Request& request);
+/// @param conesAlong  cones of fields along features: 20 cells for each. They are many and at corners; with fewer cells lines
+///                    are spread to keep apart
+double automaticCells(const Model& model, const Request& request, int conesAlong);
 
 }  // namespace hgp::api

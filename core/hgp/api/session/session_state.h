@@ -47,7 +47,8 @@ struct Session::State {
   Status solve(const std::optional<prescription::Prescription>& prescription,
                const SolveOptions& options);
   /// The same options, with automaticCells where choosesCells asks for them.
-  SolveOptions withCells(const Request& request, SolveOptions options) const;
+  SolveOptions withCells(const Request& request, SolveOptions options);
+  int conesAlong(const Request& request);
   /// With choosesCells: if the map is not aligned and a number of cells is known to work, solves with that and the same
   /// cones; replaces `solved` and `run` if the map is then aligned.
   Status solveWithWorkingCells(const SolveOptions& options, RunRecord& run);

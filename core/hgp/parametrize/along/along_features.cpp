@@ -304,12 +304,18 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
   return result;
 }
 
-Status checkAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec) {
-  if (Status possible = checkOptions(surface, spec, {}); !possible) return possible;
+Result<int> countConesAlong(PreparedSurface& surface, const HolonomySpec& spec) {
+  if (Status possible = checkOptions(surface, spec, {}); !possible) return possible.error();
   const TriMesh& mesh = surface.mesh();
-  Result<AlignedField> aligned =
-      alignedField(mesh, surface.context(), withRims(mesh, spec.features), spec);
+  const std::vector<EdgeId> features = withRims(mesh, spec.features);
+  Result<AlignedField> aligned = alignedField(mesh, surface.context(), features, spec);
   if (!aligned) return std::move(aligned).error();
+  const CompleteSpec found = specOf(mesh, surface.context().topology, {}, *aligned, features);
+  return static_cast<int>(found.cones.size());
+}
+
+Status checkAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec) {
+  if (Result<int> cones = countConesAlong(surface, spec); !cones) return std::move(cones).error();
   return Done{};
 }
 

@@ -20,4 +20,8 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
 /// Solves nothing, so that lengths are not looked at, nor cones, which straightened steps change.
 Status checkAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec);
 
+/// The number of cones of the field along the features, before any step or pair of them is left out; fails as
+/// checkAlongFeatures().
+Result<int> countConesAlong(PreparedSurface& surface, const HolonomySpec& spec);
+
 }  // namespace hgp

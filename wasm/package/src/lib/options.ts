@@ -192,9 +192,9 @@ export interface SolveOptions extends SuggestOptions {
    * Align the map to a grid (q = 2 or 4): all translations of seams become integers, with one cell per unit of uv, so
    * that grid lines meet at every seam. About `cells` cells in total, or cells of edge length `spacing` in the file's
    * unit; `quad`: cones lie on grid points as well. `'auto'`, also as `cells`, and `mode` alone choose the number: 14 cells
-   * along the diagonal, at least 800 and 40 per cone (in a file of several meshes, the size of those of the largest one), and
-   * where that gives no aligned map, a number that does (up to 100 000 triangles). If no aligned map is found, the
-   * result is the map without a grid, and `report.components[].grid` says why and how many cells would work.
+   * along the diagonal, at least 800 and 40 per cone, 20 along features (in a file of several meshes, the size of those
+   * of the largest one), and where that gives no aligned map, a number that does (up to 100 000 triangles). If no aligned
+   * map is found, the result is the map without a grid, and `report.components[].grid` says why and how many cells would work.
    */
   grid?: 'auto' | { cells?: number | 'auto'; spacing?: number; mode?: 'tile' | 'quad' };
 }

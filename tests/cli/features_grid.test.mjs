@@ -5,7 +5,7 @@ import test from 'node:test';
 import { toObj } from '../support/meshes.mjs';
 import { inFolder } from '../support/program.mjs';
 
-const { put, read, good } = inFolder('features-grid');
+const { put, read, run, good } = inFolder('features-grid');
 
 // A block from which a box, a bore and a corner are cut: positions, and triangles by numbers from 1.
 const positions = `
@@ -133,4 +133,18 @@ test('many cones along features get many cells where their number is not given',
   const given = JSON.parse(read('report.json'));
   assert.equal(given.options.grid.cells, 400);
   assert.ok(given.components[0].grid.cells < 0.6 * components[0].grid.cells);
+});
+
+test('a number of cells that is advised works', () => {
+  put('in.obj', toObj(block));
+  const runAt = (cells) =>
+    run(['quads', 'in.obj', '--creases', '--cells', `${cells}`, '-o', 'out.obj', '--json', 'report.json', '--force']); // prettier-ignore
+  for (const cells of [40, 100, 250, 600, 1500]) {
+    const { code } = runAt(cells);
+    if (code === 0) continue;
+    assert.equal(code, 6);
+    const { workingCells } = JSON.parse(read('report.json')).components[0].grid;
+    assert.ok(workingCells > cells, `${cells}`);
+    assert.equal(runAt(workingCells).code, 0, `${cells}: ${workingCells}`);
+  }
 });

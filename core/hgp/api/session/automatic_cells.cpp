@@ -32,7 +32,8 @@ double workingCells(const std::vector<Parametrization>& components) {
     if (!(grid.workingCells > 0.0)) return 0.0;
     denser = std::max(denser, grid.workingCells / grid.cells);
   }
-  return std::ceil(cells * denser);
+  constexpr double kLastBits = 1e-12;
+  return std::ceil((1.0 - kLastBits) * cells * denser);
 }
 
 }  // namespace

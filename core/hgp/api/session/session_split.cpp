@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "hgp/api/session/session_state.h"
@@ -11,32 +12,34 @@
 namespace hgp::api {
 namespace {
 
-/// Whether lines stay apart on no grid of the density that was asked for, nor of a finer one: its triangles have no room.
+/// Whether lines do not stay apart on the grid that was asked for, or triangles are reversed there: they may have no room.
 bool isWithoutGrid(const Parametrization& component) {
   const std::optional<GridReport>& grid = component.grid;
-  return grid && !grid->isAligned && grid->reason && grid->reason->code == "features-no-integers" &&
-         !(grid->workingCells > 0.0);
+  return grid && !grid->isAligned && grid->reason && grid->reason->code == "features-no-integers";
 }
 
 /// What a run reached.
 struct Reached {
   std::vector<char> isOpen;  ///< per component: has no map, or none on the grid that was asked for
-  int certified = -1, aligned = -1;  ///< components; -1 without a run
+  int certified = -1, aligned = -1, advised = -1;  ///< components; -1 without a run
 
   bool isWhole() const { return std::find(isOpen.begin(), isOpen.end(), 1) == isOpen.end(); }
   bool hasAllMaps() const { return certified == static_cast<int>(isOpen.size()); }
   bool isMoreThan(const Reached& other) const {
-    return std::pair(certified, aligned) > std::pair(other.certified, other.aligned);
+    return std::tie(certified, aligned, advised) >
+           std::tie(other.certified, other.aligned, other.advised);
   }
 };
 
 Reached reachedBy(const std::vector<Certificate>& certificates, const RunRecord& run) {
-  Reached out{{}, 0, 0};
+  Reached out{{}, 0, 0, 0};
   for (std::size_t c = 0; c < certificates.size(); ++c) {
     const bool isCertified = certificates[c].isCertified;
     const bool isAligned = c >= run.components.size() || !isWithoutGrid(run.components[c]);
     out.certified += isCertified ? 1 : 0;
     out.aligned += isCertified && isAligned ? 1 : 0;
+    // Or a number of cells is known that works.
+    out.advised += isAligned || run.components[c].grid->workingCells > 0.0 ? 1 : 0;
     out.isOpen.push_back(isCertified && isAligned ? 0 : 1);
   }
   return out;

@@ -57,10 +57,11 @@ class GridAligner {
         work_(kChoiceWork * options.maxStepsPerFace) {}
 
   StraightGrid run() {
-    const double mapArea = areaOf(mesh_, setup_.seamless.cut, z_), area = surfaceArea(mesh_);
+    const double area = surfaceArea(mesh_);
+    mapArea_ = areaOf(mesh_, setup_.seamless.cut, z_);
     const GridOptions& grid = options_.grid;
     const double cells = grid.cells > 0.0 ? grid.cells : area / (grid.spacing * grid.spacing);
-    scale_ = std::sqrt(cells / mapArea);
+    scale_ = std::sqrt(cells / mapArea_);
     GridReport& report = out_.report;
     report.cells = cells;
     report.spacing = std::sqrt(area / cells);
@@ -78,11 +79,12 @@ class GridAligner {
           Note("features-many-integers", {{"integers", report.integers}, {"most", most}});
       return std::move(out_);
     }
-    prepareChoice();
+    prepareForm();
+    makeChoice(scale_);
     frames_ = framesOfMap(setup_.seamless.context->geometry, setup_.seamless.cut, z_);
     for (const double factor : kLineFactors) {
       const double tried = static_cast<double>(report.attempts.size());
-      if (!goOn(0.2 + 0.7 * tried / std::size(kLineFactors)) || attempt(factor)) break;
+      if (!goOn(0.2 + 0.7 * tried / std::size(kLineFactors)) || attempt(factor * scale_)) break;
     }
     if (!out_.attempt && !out_.isCancelled) explain(cells);
     return std::move(out_);
@@ -99,12 +101,14 @@ class GridAligner {
     const GridReport asked = report;
     for (const double factor : kFinerFactors) {
       if (!goOn(0.9)) return;
-      if (!attempt(factor)) continue;
+      // As a run that asks for this number begins; what comes out may be another one.
+      const double finer = std::round(cells * factor * factor);
+      makeChoice(std::sqrt(finer / mapArea_));
+      if (!attempt(std::sqrt(finer / mapArea_))) continue;
       if (out_.isCancelled) return;
       if (isExhausted_) break;
-      const double works = report.cells;
       report = asked;
-      report.workingCells = works;
+      report.workingCells = finer;
       out_.attempt.reset();
       return;
     }
@@ -171,21 +175,25 @@ class GridAligner {
     return true;
   }
 
-  void prepareChoice() {
+  void prepareForm() {
     B_ = lattice_.basis();  // dense: only where so many integers are within the budget
     const SeamlessSystem system = systemOf(mesh_, setup_.seamless);
     StraightOptions program;
     program.u = setup_.seamless.field.u;
     const auto n = static_cast<Eigen::Index>(variables_.size());
-    Eigen::MatrixXd covariance =
-        straightCovariance(straightSystemOf(setup_, system), program, variables_);
-    if (covariance.rows() != n) covariance = Eigen::MatrixXd::Identity(n, n);
-    covariance = B_ * covariance * B_.transpose();
+    covariance_ = straightCovariance(straightSystemOf(setup_, system), program, variables_);
+    if (covariance_.rows() != n) covariance_ = Eigen::MatrixXd::Identity(n, n);
+    covariance_ = B_ * covariance_ * B_.transpose();
     y0_ = Eigen::VectorXd(n);
     for (Eigen::Index i = 0; i < n; ++i) y0_[i] = x_[variables_[at(i)]];
     y0_ = B_ * y0_;
+  }
+
+  /// With the demands at a density: lines farther apart than the reach need none.
+  void makeChoice(double scale) {
+    const auto n = static_cast<Eigen::Index>(variables_.size());
     std::vector<LineDemand> demands;
-    for (const LineGap& gap : lineGaps(plane_, kLineReach / scale_)) {
+    for (const LineGap& gap : lineGaps(plane_, kLineReach / scale)) {
       Eigen::VectorXd d = Eigen::VectorXd::Zero(n);
       bool isBound = true;
       for (const auto& [unknown, factor] : gap.sum) {
@@ -202,35 +210,44 @@ class GridAligner {
           demand.terms.push_back({static_cast<int>(j), inIntegers[j]});
       demands.push_back(std::move(demand));
     }
-    choice_.emplace(std::move(covariance), std::move(demands));
+    choice_.emplace(covariance_, std::move(demands));
+    positive_.reset();
   }
 
+  struct Chosen {
+    Eigen::VectorXd y;
+    int broken = 0;
+  };
   /// Integers near the map at this scale; nothing where that takes more work than is left.
-  std::optional<Eigen::VectorXd> choose(double scale) {
-    std::optional<Eigen::VectorXd> chosen = choice_->near(scale * y0_, work_);
-    if (!chosen || choice_->broken(*chosen) == 0) return chosen;
+  std::optional<Chosen> choose(double scale) {
+    const auto near = [&](const LineChoice& choice) -> std::optional<Chosen> {
+      const std::optional<Eigen::VectorXd> y = choice.near(scale * y0_, work_);
+      if (!y) return {};
+      return Chosen{*y, choice.broken(*y)};
+    };
+    std::optional<Chosen> chosen = near(*choice_);
+    if (!chosen || chosen->broken == 0) return chosen;
     // A corner that lies slightly on the other side of a line in the map may be bound to that side by another demand.
-    choice_ = choice_->positiveAt(y0_);
-    return choice_->near(scale * y0_, work_);
+    if (!positive_) positive_ = choice_->positiveAt(y0_);
+    return near(*positive_);
   }
 
   /// One density; true when there is nothing more to do.
-  bool attempt(double factor) {
-    const double scale = factor * scale_;
-    const std::optional<Eigen::VectorXd> chosen = choose(scale);
+  bool attempt(double scale) {
+    const double density = scale * scale / (scale_ * scale_);
+    const std::optional<Chosen> chosen = choose(scale);
     isExhausted_ = !chosen;
     if (!chosen) {
-      out_.report.attempts.push_back({"work limit", factor * factor, 0});
+      out_.report.attempts.push_back({"work limit", density, 0});
       return true;
     }
-    const Eigen::VectorXd& y = *chosen;
-    GridAttempt record{"straight program", factor * factor, choice_->broken(y)};
+    GridAttempt record{"straight program", density, chosen->broken};
     if (record.turned > 0) {
       record.method = "lines that meet";
       out_.report.attempts.push_back(record);
       return false;
     }
-    const Eigen::VectorXd x = B_.triangularView<Eigen::Upper>().solve(y);
+    const Eigen::VectorXd x = B_.triangularView<Eigen::Upper>().solve(chosen->y);
     GridValues values{scale, {}, frames_, untanglings_};
     for (std::size_t i = 0; i < variables_.size(); ++i)
       values.given.push_back({variables_[i], x[static_cast<Eigen::Index>(i)]});
@@ -311,10 +328,11 @@ class GridAligner {
   SumLattice lattice_;
   std::vector<int> variables_;  ///< real unknowns that integers determine
   Eigen::MatrixXd B_;
+  Eigen::MatrixXd covariance_;  ///< of the integers
   Eigen::VectorXd y0_;
   PerFace<double> frames_;  ///< of the map as solved
-  std::optional<LineChoice> choice_;
-  double scale_ = 1.0;
+  std::optional<LineChoice> choice_, positive_;
+  double mapArea_ = 1.0, scale_ = 1.0;
   double work_;  ///< multiply-adds left for choices
   double untanglings_ = kGridUntangling;
   bool isExhausted_ = false;

@@ -32,8 +32,9 @@ double workingCells(const std::vector<Parametrization>& components) {
     if (!(grid.workingCells > 0.0)) return 0.0;
     denser = std::max(denser, grid.workingCells / grid.cells);
   }
-  constexpr double kLastBits = 1e-12;
-  return std::ceil((1.0 - kLastBits) * cells * denser);
+  // The number itself, without a detour by which it is rounded.
+  if (components.size() == 1 && denser > 1.0) return std::ceil(components[0].grid->workingCells);
+  return std::ceil(cells * denser);
 }
 
 }  // namespace

@@ -25,9 +25,11 @@ struct Reached {
 
   bool isWhole() const { return std::find(isOpen.begin(), isOpen.end(), 1) == isOpen.end(); }
   bool hasAllMaps() const { return certified == static_cast<int>(isOpen.size()); }
-  bool isMoreThan(const Reached& other) const {
-    return std::tie(certified, aligned, advised) >
-           std::tie(other.certified, other.aligned, other.advised);
+  /// Advice alone is no reason to split the edges of a mesh that has a map as it is.
+  bool isMoreThan(const Reached& other, bool countsAdvice) const {
+    const auto reached = std::tie(certified, aligned),
+               before = std::tie(other.certified, other.aligned);
+    return reached > before || (countsAdvice && reached == before && advised > other.advised);
   }
 };
 
@@ -122,7 +124,7 @@ Status Session::State::solveSplit(const Request& request, const SolveOptions& op
     if (!next && first && best.certified < 0) first = next.error();
     if (!next) continue;
     Reached reached = reachedBy((*next)->solved->stored.certificates, again);
-    if (!reached.isMoreThan(best)) continue;
+    if (!reached.isMoreThan(best, mustSplit)) continue;
     const bool isForGrid = best.hasAllMaps();
     best = std::move(reached);
     again.refined->roundsBefore = before;

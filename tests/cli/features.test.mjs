@@ -418,7 +418,7 @@ test('what does not go together is refused', () => {
   refused(2, /q = 4/, '--q', '6');
   refused(2, /not carried over to a refined/, '--refine');
   refused(2, /--boundary convex cannot be combined/, '--boundary', 'convex');
-  refused(5, /cones? differs? from the prescribed/, '--cone', '0:2', '--cone', '1:2');
+  refused(5, /Σ = 4, need 8/, '--cone', '0:2', '--cone', '1:2');
   refused(4, /rectangle needs a disk/, '--boundary', 'rectangle');
   put('strange.txt', '0 3\n0 99999\n');
   const strange = run('param', 'closed.obj', '--features', 'strange.txt', '-o', 'no.obj');

@@ -18,34 +18,43 @@ int largestIndex(const TriMesh& mesh, const Sectors& sectors, int node) {
   return quarters - 1;
 }
 
-std::vector<int> givenIndices(const TriMesh& mesh, const Topology& topology, const Sectors& sectors,
-                              const HolonomySpec& asked) {
+GivenIndices givenIndices(const TriMesh& mesh, const Topology& topology, const Sectors& sectors,
+                          const HolonomySpec& asked) {
   if (asked.cones.empty() && asked.corners.empty()) return {};
-  std::vector<int> given(at(mesh.vertexCount()) + sectors.list.size(), 0);
+  // Quarter turns of every vertex, 0 on loops without corners.
+  PerVertex<int> wanted(at(mesh.vertexCount()), 0);
   for (VertexId v : mesh.vertices())
-    if (!mesh.isIsolated(v) && !sectors.isOnFeature[v]) given[at(v.i)] = asked.q;
-  for (const ConePoint& cone : asked.cones)
-    if (!sectors.isOnFeature[cone.vertex]) given[at(cone.vertex.i)] = cone.k;
+    if (!mesh.isIsolated(v) && !mesh.isBoundary(v)) wanted[v] = asked.q;
+  for (const ConePoint& cone : asked.cones) wanted[cone.vertex] = cone.k;
+  for (const ConePoint& corner : asked.corners) wanted[corner.vertex] = corner.k;
+  for (const BoundaryLoop& loop : topology.loops) {
+    const auto isCorner = [&](HalfedgeId h) { return wanted[mesh.tail(h)] != 0; };
+    if (std::none_of(loop.halfedges.begin(), loop.halfedges.end(), isCorner)) continue;
+    for (HalfedgeId h : loop.halfedges)
+      if (!isCorner(h)) wanted[mesh.tail(h)] = asked.q / 2;
+  }
 
-  PerVertex<int> corner(at(mesh.vertexCount()), 0);
-  for (const ConePoint& c : asked.corners) corner[c.vertex] = c.k;
+  GivenIndices given;
+  given.node.assign(at(mesh.vertexCount()) + sectors.list.size(), 0);
+  given.around = PerVertex<int>(at(mesh.vertexCount()), 0);
   PerVertex<int> sectorsAt(at(mesh.vertexCount()), 0);
   for (const Sector& s : sectors.list) ++sectorsAt[mesh.tail(s.first)];
-  for (const BoundaryLoop& loop : topology.loops) {
-    const auto hasCorner = [&](HalfedgeId h) { return corner[mesh.tail(h)] != 0; };
-    if (std::none_of(loop.halfedges.begin(), loop.halfedges.end(), hasCorner)) continue;
-    for (HalfedgeId h : loop.halfedges) {
-      const VertexId v = mesh.tail(h);
-      if (sectorsAt[v] == 1)
-        given[at(sectors.node(mesh, h))] = corner[v] != 0 ? corner[v] : asked.q / 2;
-    }
+  for (VertexId v : mesh.vertices()) {
+    if (!sectors.isOnFeature[v]) given.node[at(v.i)] = wanted[v];
+    if (sectorsAt[v] > 1) given.around[v] = wanted[v];
   }
+  for (std::size_t s = 0; s < sectors.list.size(); ++s)
+    if (const VertexId v = mesh.tail(sectors.list[s].first); sectorsAt[v] == 1)
+      given.node[at(mesh.vertexCount()) + s] = wanted[v];
   return given;
 }
 
-bool hasGivenIndices(const AlignedField& aligned) {
-  for (std::size_t n = 0; n < aligned.given.size(); ++n)
-    if (aligned.given[n] != 0 && aligned.given[n] != aligned.index[n]) return false;
+bool hasGivenIndices(const TriMesh& mesh, const AlignedField& aligned) {
+  for (std::size_t n = 0; n < aligned.given.node.size(); ++n)
+    if (aligned.given.node[n] != 0 && aligned.given.node[n] != aligned.index[n]) return false;
+  for (VertexId v : mesh.vertices())
+    if (const int sum = givenAround(aligned, v); sum != 0 && sum != indexAround(mesh, aligned, v))
+      return false;
   return true;
 }
 

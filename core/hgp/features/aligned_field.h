@@ -10,6 +10,12 @@
 
 namespace hgp {
 
+/// Indices that are prescribed; 0 where they are free. Both are empty, or neither.
+struct GivenIndices {
+  std::vector<int> node;  ///< per Sectors::node
+  PerVertex<int> around;  ///< Σ a over the sectors of a vertex on Γ where several are free
+};
+
 /// A field of order 4 in which every feature halfedge follows direction `axis` of its face. All integers agree:
 ///
 ///   a_s π/2 = Σ α − Σ ω + δ_last − δ_first,   k_v π/2 = Σ α − Σ ω,
@@ -24,7 +30,7 @@ struct AlignedField {
       turn;  ///< ω across h from its face, with its multiple of 2π; 0 on the boundary
   PerHalfedge<double> tilt;  ///< δ, with its multiple of 2π; 0 off features
   std::vector<int> index;    ///< per Sectors::node: k of a vertex off Γ, a of a sector
-  std::vector<int> given;  ///< per node: the index that is prescribed, 0 where it is free; or empty
+  GivenIndices given;
   std::vector<ConePoint> corners;  ///< that are prescribed
   int moved = 0;                   ///< units of index that were moved to make all of them possible
 };
@@ -33,14 +39,17 @@ struct AlignedField {
 /// angle between two feature edges elsewhere, all less than that.
 int largestIndex(const TriMesh& mesh, const Sectors& sectors, int node);
 
-/// Indices that `asked` prescribes, as AlignedField::given; empty where it has neither cones nor corners. With either, every
-/// vertex off Γ is a cone of `asked` or has k = 4, and a loop with corners has no others. The sectors of a vertex where
-/// several meet stay free.
-std::vector<int> givenIndices(const TriMesh& mesh, const Topology& topology, const Sectors& sectors,
-                              const HolonomySpec& asked);
+/// Indices that `asked` prescribes; none where it has neither cones nor corners. With either, every inner vertex is a cone of
+/// `asked` or has k = 4, and a loop with corners has no others; loops without are free.
+GivenIndices givenIndices(const TriMesh& mesh, const Topology& topology, const Sectors& sectors,
+                          const HolonomySpec& asked);
+/// GivenIndices::around
+inline int givenAround(const AlignedField& aligned, VertexId v) {
+  return aligned.given.around.size() == 0 ? 0 : aligned.given.around[v];
+}
 
 /// Whether the field has the indices that are prescribed.
-bool hasGivenIndices(const AlignedField& aligned);
+bool hasGivenIndices(const TriMesh& mesh, const AlignedField& aligned);
 
 /// Σ a over the sectors of a vertex on Γ.
 int indexAround(const TriMesh& mesh, const AlignedField& aligned, VertexId v);

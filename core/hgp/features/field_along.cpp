@@ -7,6 +7,7 @@
 #include "hgp/base/counted.h"
 #include "hgp/features/fitted_field.h"
 #include "hgp/features/index_flow.h"
+#include "hgp/features/index_sums.h"
 #include "hgp/field/smooth_field.h"
 
 namespace hgp {
@@ -119,6 +120,7 @@ Result<AlignedField> alignedField(const TriMesh& mesh, const FieldContext& conte
   out.corners = asked.corners;
   out.given = givenIndices(mesh, context.topology, out.sectors, asked);
   if (Status done = makeIndicesPossible(mesh, geometry, out); !done) return std::move(done).error();
+  if (Status done = makeSumsPossible(mesh, geometry, out); !done) return std::move(done).error();
   if (out.moved > 0) fitField(mesh, geometry, out);
   return out;
 }

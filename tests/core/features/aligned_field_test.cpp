@@ -198,7 +198,7 @@ TEST(AlignedField, LosesPairsOfConesWhereTheSurfaceIsFlat) {
     expectLaws("annulus", mesh, *fewer);
     expectGaussBonnet("annulus", mesh, *fewer);
     // Prescribed indices stay.
-    field.given = field.index;
+    field.given.node = field.index;
     EXPECT_FALSE(withoutFlatPairs(mesh, geometry, field));
   }
 }

@@ -98,7 +98,7 @@ TEST(AlongFeatures, RimsAreFeaturesWithAnyOther) {
   expectStraight("cylinder", mesh, *run);
 }
 
-TEST(AlongFeatures, ConesOfTheFieldMayBePrescribedAndNoOthers) {
+TEST(AlongFeatures, ConesOfTheFieldMayBePrescribedAgain) {
   const TriMesh mesh = test::cube(4).mesh();
   const std::vector<EdgeId> features = test::creasesOf(mesh);
   const Result<Parametrization> first = test::along(mesh, features);
@@ -108,12 +108,65 @@ TEST(AlongFeatures, ConesOfTheFieldMayBePrescribedAndNoOthers) {
   const Result<Parametrization> again = parametrizeAlongFeatures(surface, spec, {});
   ASSERT_TRUE(again);
   EXPECT_EQ(again->map.uv, first->map.uv);
-  spec.cones[0].k = 2;
+}
+
+/// A sphere whose only feature is a great circle, through the vertices with z = 0.
+std::vector<EdgeId> equatorOf(const TriMesh& mesh) {
+  std::vector<EdgeId> edges;
+  for (EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    if (std::abs(mesh.position(mesh.tail(h))[2]) + std::abs(mesh.position(mesh.head(h))[2]) < 1e-9)
+      edges.push_back(e);
+  }
+  return edges;
+}
+
+TEST(AlongFeatures, ConesGoFromOneSideOfAFeatureToTheOther) {
+  const TriMesh mesh = test::icosphere(8).mesh();
+  const std::vector<EdgeId> features = equatorOf(mesh);
+  ASSERT_GE(features.size(), 16u);
+  const Result<Parametrization> first = test::along(mesh, features);
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(first->isCertified);
+  PreparedSurface surface(mesh);
+  int wrong = 0;
+  for (int i = 0; i < 8; ++i) {
+    HolonomySpec spec = toSpec(first->spec);
+    spec.turning.clear();
+    spec.handles.clear();
+    const VertexId a((7 + 131 * i) % mesh.vertexCount()), b((400 + 61 * i) % mesh.vertexCount());
+    const auto isCone = [&](VertexId v) {
+      return std::any_of(spec.cones.begin(), spec.cones.end(),
+                         [&](const ConePoint& cone) { return cone.vertex == v; });
+    };
+    if (isCone(a) || isCone(b)) continue;
+    spec.cones.push_back({a, 3});
+    spec.cones.push_back({b, 5});
+    EXPECT_TRUE(checkAlongFeatures(surface, spec));
+    const Result<Parametrization> run = parametrizeAlongFeatures(surface, spec, {});
+    ASSERT_TRUE(run) << run.error().message;
+    wrong += run->isCertified ? 0 : 1;
+    if (run->isCertified) expectStraight("a sphere with an equator", mesh, *run);
+    EXPECT_EQ(run->spec.cones.size(), spec.cones.size());
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(AlongFeatures, ConesAreRefusedWhereNoneFit) {
+  const TriMesh mesh = test::cube(4).mesh();
+  const std::vector<EdgeId> features = test::creasesOf(mesh);
+  const Result<Parametrization> first = test::along(mesh, features);
+  ASSERT_TRUE(first);
+  PreparedSurface surface(mesh);
+  HolonomySpec spec = toSpec(first->spec);
+  spec.cones[0].k = 2;  // between three edges
   spec.cones[1].k = 4;
-  const Result<Parametrization> other = parametrizeAlongFeatures(surface, spec, {});
-  ASSERT_FALSE(other);
-  EXPECT_EQ(other.error().code, ErrorCode::kPrescription);
-  EXPECT_FALSE(other.error().where.empty());
+  for (const Status& other : {checkAlongFeatures(surface, spec),
+                              Status(parametrizeAlongFeatures(surface, spec, {}).error())}) {
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.error().code, ErrorCode::kPrescription);
+    EXPECT_FALSE(other.error().where.empty());
+  }
 }
 
 /// A rim without corners but those that are given.

@@ -69,8 +69,10 @@ Failure notSymmetric(const Model& model, const ModelMirror& mirror, const std::s
              {{Where::Kind::kFace, images.without.i}}));
 }
 
-/// The edges in the plane are features, and so are rims.
+/// The images of features are features, and so are the edges in the plane and rims.
 void addFeatures(const TriMesh& mesh, const Mirror& mirror, std::vector<EdgeId>& features) {
+  for (std::size_t i = 0, own = features.size(); i < own; ++i)
+    features.push_back(mesh.edge(mirror.image.halfedge[mesh.halfedge(features[i])]));
   const std::vector<EdgeId> plane = edgesInPlane(mesh, mirror.image);
   features.insert(features.end(), plane.begin(), plane.end());
   for (EdgeId e : mesh.edges())

@@ -4,11 +4,9 @@
 #include "hgp/api/session/guard.h"
 #include "hgp/api/session/map_notes.h"
 #include "hgp/api/session/session_state.h"
-#include "hgp/api/session/split_model.h"
 #include "hgp/io/cone_files.h"
 #include "hgp/io/convert.h"
 #include "hgp/linalg/kernels/dense_kernels.h"
-#include "hgp/parametrize/along/along_features.h"
 #include "hgp/prescription/feature_files.h"
 
 #ifndef HGP_VERSION
@@ -96,53 +94,6 @@ Result<Verdict> Session::inspect() const {
   return guarded([&]() -> Result<Verdict> {
     if (!state_->model) return notLoaded();
     return Verdict{!state_->model->unusable, inspectText(*state_->model), state_->model->unusable};
-  });
-}
-
-/// The budget with what a search from all vertices proves.
-static BudgetReport provedOrNot(const ModelComponent& component, const HolonomySpec& spec,
-                                BudgetReport budget) {
-  if (budget.isTooCoarse) return budget;
-  const std::optional<Note> proof = proveImpossible(component.mesh, component.topology, spec);
-  budget.isTooCoarse = proof.has_value();
-  if (proof) budget.warnings.insert(budget.warnings.begin(), *proof);
-  return budget;
-}
-
-Result<Verdict> Session::check(const prescription::Prescription& prescription) const {
-  return guarded([&]() -> Result<Verdict> {
-    if (Status ready = requireComponents(state_->model); !ready) return ready.error();
-    const Model& model = *state_->model;
-    Result<Request> request = resolve(model, prescription);
-    if (!request) return Verdict{false, checkText(request.error()), request.error()};
-    SplitModel split(model, *request);  // as a run does
-    if (Status done = split.split(Splits::kCrowded, std::vector<char>(model.components.size(), 0));
-        !done)
-      return Verdict{false, checkText(done.error()), done.error()};
-    std::vector<ComponentCheck> checks;
-    std::optional<Failure> reason;
-    for (std::size_t p = 0; p < model.components.size(); ++p) {
-      const ComponentRequest& component = request->components[p];
-      ComponentCheck check;
-      check.isAutomatic =
-          component.isAutomatic && component.spec.cones.empty() && component.spec.corners.empty();
-      if (!component.spec.features.empty()) {
-        PreparedSurface surface(split.model->components[p].mesh);
-        const HolonomySpec& spec = split.request->components[p].spec;
-        if (Status possible = checkAlongFeatures(surface, spec); !possible)
-          check.refusal = toSurfaceIds(*split.model, split.model->components[p], possible.error());
-      } else if (!component.isAutomatic) {
-        Result<BudgetReport> budget = checkPrescription(
-            model.components[p].mesh, model.components[p].topology, component.spec);
-        if (budget)
-          check.budget = provedOrNot(model.components[p], component.spec, std::move(*budget));
-        else
-          check.refusal = toSurfaceIds(model, model.components[p], budget.error());
-      }
-      if (check.refusal && !reason) reason = check.refusal;
-      checks.push_back(std::move(check));
-    }
-    return Verdict{!reason, checkText(model, *request, checks), reason};
   });
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "hgp/base/counted.h"
+#include "hgp/base/check.h"
 #include "hgp/features/field_along.h"
 #include "hgp/features/step_repair.h"
 #include "hgp/parametrize/after/real_pairs.h"
@@ -17,19 +17,23 @@ namespace {
 
 /// Steps that are straightened at most, because lengths contradict each other.
 constexpr int kMaxSteps = 8;
-/// Cones of which a message tells the k.
-constexpr std::size_t kListed = 8;
 
 Failure refusal(std::string message) {
   return {ErrorCode::kUsage, "features", std::move(message), {}};
 }
 
-Status checkOptions(const PreparedSurface& surface, const HolonomySpec& spec,
+Status checkOptions(PreparedSurface& surface, const HolonomySpec& spec,
                     const ParametrizeOptions& options) {
   if (spec.q != 4)
     return refusal("features need q = 4; these cones have q = " + std::to_string(spec.q) + ".");
   if (options.frames) return refusal("Frames of a file do not go with features; leave out either.");
-  return checkBounds(surface.mesh(), surface.context().topology, spec);
+  const Topology& topology = surface.context().topology;
+  // What corners of rims turn by is compared by their patches.
+  if (spec.cones.empty() || !spec.corners.empty())
+    return checkBounds(surface.mesh(), topology, spec);
+  const Result<BudgetReport> budget =
+      checkPrescription(surface.mesh(), topology, spec, &surface.shortages());
+  return budget ? Status(Done{}) : budget.error();
 }
 
 bool isAnyOther(const std::vector<std::optional<int>>& asked, const std::vector<int>& found) {
@@ -38,39 +42,15 @@ bool isAnyOther(const std::vector<std::optional<int>>& asked, const std::vector<
   return false;
 }
 
-/// What is prescribed beside features must be what the aligned field has: cones off features and corners of the boundary
-/// were given to it, cones on features were not.
-Status checkCones(const TriMesh& mesh, const HolonomySpec& asked, const StraightSetup& setup) {
-  const CompleteSpec& found = setup.seamless.field.spec;
-  if (isAnyOther(asked.turning, found.turning) || isAnyOther(asked.handles, found.handles))
-    return Failure{ErrorCode::kPrescription,
-                   "features",
-                   "With features, turnings and rotations along handles are those of a field along "
-                   "them, which are not the prescribed ones. Leave out these or the features.",
-                   {}};
-  if (asked.cones.empty() && asked.corners.empty()) return Done{};
-  PerVertex<int> wanted(at(mesh.vertexCount()), asked.q), has = wanted;
-  for (const ConePoint& cone : asked.cones) wanted[cone.vertex] = cone.k;
-  for (const ConePoint& cone : found.cones) has[cone.vertex] = cone.k;
-  for (const ConePoint& corner : asked.corners) {
-    wanted[corner.vertex] = corner.k;
-    has[corner.vertex] = indexAround(mesh, setup.aligned, corner.vertex);
-  }
-  std::vector<Where> where;
-  std::string list;
-  for (VertexId v : mesh.vertices()) {
-    if (wanted[v] == has[v]) continue;
-    where.push_back({Where::Kind::kVertex, v.i});
-    if (where.size() <= kListed) list += (list.empty() ? "" : ", ") + std::to_string(has[v]);
-  }
-  if (where.empty()) return Done{};
-  if (where.size() > kListed) list += ", …";
-  return Failure{ErrorCode::kPrescription, "features",
-                 "Cones on features are those of a field along them; " +
-                     counted(where.size(), "cone differs", "cones differ") +
-                     " from the prescribed ones: the field has k = " + list +
-                     ". Prescribe these, or leave out the cones or the features.",
-                 std::move(where)};
+/// Turnings and rotations that are prescribed beside features must be those of the field along them.
+Status checkTurns(const HolonomySpec& asked, const CompleteSpec& found) {
+  if (!isAnyOther(asked.turning, found.turning) && !isAnyOther(asked.handles, found.handles))
+    return Done{};
+  return Failure{ErrorCode::kPrescription,
+                 "features",
+                 "With features, turnings and rotations along handles are those of a field along "
+                 "them, which are not the prescribed ones. Leave out these or the features.",
+                 {}};
 }
 
 /// The given features and all boundary edges, ascending.
@@ -178,7 +158,7 @@ class StepSearch {
       if (std::any_of(tried_.begin(), tried_.end(), isTried)) continue;
       tried_.push_back(step.run);
       AlignedField next = withoutStep(mesh, geometry, *before_, step);
-      if (hasGivenIndices(next)) return next;
+      if (hasGivenIndices(mesh, next)) return next;
     }
     return {};
   }
@@ -292,7 +272,8 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
   if (!outcome) return std::move(outcome).error();
   const SeamlessSetup& seamless = outcome->setup.seamless;
   result.spec = seamless.field.spec;
-  if (Status same = checkCones(mesh, spec, outcome->setup); !same) return std::move(same).error();
+  HGP_CHECK(hasGivenIndices(mesh, outcome->setup.aligned), "prescribed cones are those of the map");
+  if (Status same = checkTurns(spec, result.spec); !same) return std::move(same).error();
   result.notes.insert(result.notes.begin(), seamless.warnings.begin(), seamless.warnings.end());
   result.copyOf = seamless.cut.parent.raw();
   if (Status done = finish(mesh, options, *outcome, result); !done) return std::move(done).error();

@@ -7,7 +7,7 @@
 namespace hgp {
 
 /// A map that sends every edge of spec.features, and every boundary edge, to a line u = const or v = const, exactly: both
-/// ends have the same bits there. Cones and corners come from the aligned field; cones that `spec` has must be the same.
+/// ends have the same bits there. Cones and corners come from the aligned field, which has those of `spec`; turnings and handles must be the same.
 /// Improvements and grids that are asked for keep the bits of straight features equal.
 /// Fails with kUsage for options that do not go with features (frames of a file, q ≠ 4), with
 /// kPrescription where the features contradict each other or the cones of `spec`, and as parametrize().
@@ -16,8 +16,9 @@ namespace hgp {
 Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec,
                                                  const ParametrizeOptions& options);
 
-/// Whether features have possible indices; fails as parametrizeAlongFeatures() does where they have none, and for q ≠ 4.
-/// Solves nothing, so that lengths are not looked at, nor cones, which straightened steps change.
+/// Whether features have possible indices, with the cones and corners of `spec`; fails as parametrizeAlongFeatures() does where
+/// they have none, and for q ≠ 4. Solves nothing, so that lengths are not looked at, nor turnings and handles, which straightened
+/// steps change.
 Status checkAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec);
 
 /// The number of cones of the field along the features, before any step or pair of them is left out; fails as

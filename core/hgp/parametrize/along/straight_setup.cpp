@@ -95,7 +95,8 @@ Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vecto
   const auto [low, high] = std::minmax_element(field.u.begin(), field.u.end());
   field.scaleRange = *high - *low;
   for (const ConePoint& cone : field.spec.cones) seamless.cones.push_back(cone.vertex);
-  Result<BudgetReport> budget = checkPrescription(mesh, context.topology, toSpec(field.spec));
+  Result<BudgetReport> budget =
+      checkPrescription(mesh, context.topology, toSpec(field.spec), &surface.shortages());
   if (!budget) return std::move(budget).error();
   seamless.warnings = budget->warnings;
   seamless.isTooCoarse = budget->isTooCoarse;

@@ -24,14 +24,23 @@ bool isIn(const std::vector<ConePoint>& list, VertexId v, int k) {
                      [&](const ConePoint& other) { return other.vertex == v && other.k == k; });
 }
 
-/// Prescribed cones must come in pairs.
+/// Prescribed cones must come in pairs, or lie in the plane with an even k.
 Status checkPairs(const Mirror& mirror, const HolonomySpec& spec) {
-  std::vector<Where> where;
-  for (const ConePoint& cone : spec.cones)
-    if (cone.k != spec.q && !isIn(spec.cones, mirror.image.vertex[cone.vertex], cone.k))
+  std::vector<Where> where, odd;
+  for (const ConePoint& cone : spec.cones) {
+    const VertexId image = mirror.image.vertex[cone.vertex];
+    if (cone.k != spec.q && !isIn(spec.cones, image, cone.k))
       where.push_back({Where::Kind::kVertex, cone.vertex.i});
-  if (where.empty()) return Done{};
-  return unpairedCones(std::move(where));
+    if (image == cone.vertex && cone.k % 2 != 0)
+      odd.push_back({Where::Kind::kVertex, cone.vertex.i});
+  }
+  if (!where.empty()) return unpairedCones(std::move(where));
+  if (odd.empty()) return Done{};
+  return Failure{ErrorCode::kUsage, "symmetric",
+                 counted(odd.size(), "cone in the plane has", "cones in the plane have") +
+                     " an odd k, which has no half for either side. Choose an even k, move the "
+                     "cone off the plane, with its image, or leave out symmetry.",
+                 std::move(odd)};
 }
 
 /// What was prescribed beside features is what the map has.
@@ -52,17 +61,36 @@ Status checkAsked(const HolonomySpec& asked, const CompleteSpec& found) {
                  std::move(where)};
 }
 
-/// The features of one side: its own, and the images of the other side's.
-std::vector<EdgeId> featuresOfSide(const TriMesh& mesh, const Mirror& mirror,
-                                   const HalfSurface& half, const std::vector<EdgeId>& features) {
+std::vector<EdgeId> featuresOfSide(const TriMesh& mesh, const HalfSurface& half,
+                                   const std::vector<EdgeId>& features) {
   PerEdge<char> isFeature(at(mesh.edgeCount()), 0);
   for (EdgeId e : features) isFeature[e] = 1;
   std::vector<EdgeId> out;
-  for (EdgeId e : half.mesh.edges()) {
-    const HalfedgeId h = half.origin(half.mesh.halfedge(e));
-    if (isFeature[mesh.edge(h)] || isFeature[mesh.edge(mirror.image.halfedge[h])]) out.push_back(e);
-  }
+  for (EdgeId e : half.mesh.edges())
+    if (isFeature[mesh.edge(half.origin(half.mesh.halfedge(e)))]) out.push_back(e);
   return out;
+}
+
+/// The cones of one side. In the plane, where its rims turn by half of the angles, these are given as well; rims that leave the
+/// plane keep the corners of a field, which are compared afterwards.
+void addConesOfSide(const Mirror& mirror, const HalfSurface& half, const HolonomySpec& spec,
+                    HolonomySpec& side) {
+  if (spec.cones.empty()) return;
+  PerVertex<int> k(at(mirror.image.vertex.size()), spec.q);
+  for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
+  const auto originOf = [&](VertexId v) { return half.vertexOrigin[at(v.i)]; };
+  for (VertexId v : half.mesh.vertices())
+    if (!half.mesh.isBoundary(v) && k[originOf(v)] != spec.q)
+      side.cones.push_back({v, k[originOf(v)]});
+  const auto isOff = [&](HalfedgeId h) {
+    const VertexId v = originOf(half.mesh.tail(h));
+    return mirror.image.vertex[v] != v;
+  };
+  for (const BoundaryLoop& loop : computeTopology(half.mesh).loops) {
+    if (std::any_of(loop.halfedges.begin(), loop.halfedges.end(), isOff)) continue;
+    for (HalfedgeId h : loop.halfedges)
+      side.corners.push_back({half.mesh.tail(h), k[originOf(half.mesh.tail(h))] / 2});
+  }
 }
 
 /// The prescription that the whole map has, without turnings and handles; cones in the plane are read off the map.
@@ -123,12 +151,16 @@ Result<Parametrization> parametrizeSymmetric(const TriMesh& mesh,
   HGP_CHECK(2 * half.mesh.faceCount() == mesh.faceCount(), "one side is half of the surface");
   HolonomySpec asked;
   asked.q = spec.q;
-  asked.features = featuresOfSide(mesh, *mirror, half, spec.features);
+  asked.features = featuresOfSide(mesh, half, spec.features);
+  addConesOfSide(*mirror, half, spec, asked);
   PreparedSurface side(half.mesh);
   Result<Parametrization> run = parametrizeAlongFeatures(side, asked, options);
   if (!run) {
     Failure failure = std::move(run).error();
     toWhole(half, failure.where);
+    if (!asked.cones.empty() || !asked.corners.empty())
+      failure.message =
+          "On one side of the plane, where cones in it count half: " + failure.message;
     return failure;
   }
   CopiedMap whole = mirroredMap(mesh, *mirror, half, {std::move(run->map), std::move(run->copyOf)});

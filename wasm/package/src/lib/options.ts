@@ -136,7 +136,7 @@ export interface SolveOptions extends SuggestOptions {
   cones?: Cones;
   /** A direction field (.rawfield, .rosy, .ffield): it determines what `cones` leave open, and must have these cones. */
   field?: ConeFile;
-  /** Edges that become straight lines; cones and corners are then those of a field along them. */
+  /** Edges that become straight lines; cones and corners are those of a field along them, which has the given `cones`. */
   features?: Features | FeatureFile;
   /**
    * Frames of the map. `auto`: a smooth field that hgp computes with the prescribed cones, turnings and rotations.

@@ -1,0 +1,210 @@
+#include "hgp/features/index_sums.h"
+
+#include <algorithm>
+
+#include "hgp/base/check.h"
+#include "hgp/base/counted.h"
+#include "hgp/features/index_flow.h"
+#include "hgp/features/index_paths.h"
+
+namespace hgp {
+namespace {
+
+/// Cones of which a message tells the k.
+constexpr std::size_t kListed = 8;
+
+class SumFlow {
+ public:
+  SumFlow(const TriMesh& mesh, const Geometry& geometry, AlignedField& field)
+      : mesh_(mesh),
+        field_(field),
+        graph_(mesh, geometry, field),
+        paths_(graph_),
+        sectorsAt_(at(mesh.vertexCount())) {
+    const Sectors& sectors = field.sectors;
+    for (std::size_t s = 0; s < sectors.list.size(); ++s)
+      sectorsAt_[mesh.tail(sectors.list[s].first)].push_back(mesh.vertexCount() +
+                                                             static_cast<int>(s));
+  }
+
+  Status run() {
+    if (Status held = checkBounds(); !held) return held;
+    for (VertexId v : mesh_.vertices())
+      while (surplus(v) != 0 && move(v, surplus(v) > 0 ? -1 : 1)) continue;
+    const std::vector<VertexId> missed = differing();
+    if (missed.empty()) return Done{};
+    const bool isTooMuch =
+        std::any_of(missed.begin(), missed.end(), [&](VertexId v) { return surplus(v) > 0; });
+    return notAsAsked(isTooMuch ? -1 : 1, missed);
+  }
+
+ private:
+  /// The least and the most that the sectors of a vertex can have.
+  std::pair<int, int> boundsAt(VertexId v) const {
+    int low = 0, high = 0;
+    for (const int n : sectorsAt_[v]) {
+      low += graph_.lowest(n);
+      high += graph_.largest(n);
+    }
+    return {low, high};
+  }
+
+  Status checkBounds() const {
+    std::vector<VertexId> beyond;
+    for (VertexId v : mesh_.vertices()) {
+      const int wanted = givenAround(field_, v);
+      const auto [low, high] = boundsAt(v);
+      if (wanted != 0 && (wanted < low || wanted > high)) beyond.push_back(v);
+    }
+    if (beyond.empty()) return Done{};
+    const VertexId v = beyond.front();
+    const auto [low, high] = boundsAt(v);
+    return Failure{
+        ErrorCode::kPrescription, "features",
+        counted(beyond.size(), "prescribed cone is", "prescribed cones are") +
+            " not possible along these features: the feature edges at the first of these "
+            "vertices leave " +
+            (low == high ? "" : std::to_string(low) + " to ") + counted(high, "quarter turn") +
+            " between them, not " + std::to_string(givenAround(field_, v)) +
+            ". Prescribe k within these bounds, or leave out the cones or the features.",
+        placesOf(beyond)};
+  }
+
+  /// By how much the sum around a vertex is larger than prescribed; 0 where it is free.
+  int surplus(VertexId v) const {
+    const int wanted = givenAround(field_, v);
+    return wanted == 0 ? 0 : indexAround(mesh_, field_, v) - wanted;
+  }
+
+  bool isSector(int n) const { return n >= mesh_.vertexCount(); }
+
+  /// Whether a node may be given `units` without another sum that is prescribed being missed.
+  bool isEnd(int n, int units) const {
+    const VertexId v = graph_.vertexOf(n);
+    if (isImpossible(graph_.changeOf(n, units))) return false;
+    return !isSector(n) || givenAround(field_, v) == 0 || surplus(v) * units < 0;
+  }
+
+  /// One unit to the vertex (1) or from it (−1).
+  bool move(VertexId v, int units) {
+    std::vector<std::pair<int, double>> starts;
+    for (const int n : sectorsAt_[v])
+      if (const double change = graph_.changeOf(n, units); !isImpossible(change))
+        starts.push_back({n, change});
+    double best = kImpossible;
+    int end = -1;
+    search(starts, units, [&](int n, double d) {
+      if (d > best) return false;
+      if (graph_.vertexOf(n) == v || !isEnd(n, -units)) return true;
+      const double all = d + std::max(0.0, graph_.changeOf(n, -units));
+      if (all < best) {
+        best = all;
+        end = n;
+      }
+      return true;
+    });
+    if (end < 0) return false;
+    applyMove(mesh_, {paths_.stepsTo(end, units), best}, field_);
+    ++field_.moved;
+    return true;
+  }
+
+  /// Paths of a unit to `starts` (1) or from them (−1); at every vertex on Γ it may go on in another sector.
+  template <class Use>
+  void search(const std::vector<std::pair<int, double>>& starts, int units, const Use& use) {
+    const auto jumps = [&](int n, const auto& to) {
+      if (!isSector(n)) return;
+      const double here = graph_.changeOf(n, -units);
+      if (isImpossible(here)) return;
+      for (const int other : sectorsAt_[graph_.vertexOf(n)]) {
+        const double there = graph_.changeOf(other, units);
+        if (other != n && !isImpossible(there)) to(other, kEdgeCost + std::max(0.0, here + there));
+      }
+    };
+    paths_.search(starts, jumps, use);
+  }
+
+  /// The patches that a unit can reach have no place for it (−1), or none to spare (1): their indices' sum contradicts the
+  /// prescribed ones.
+  Failure notAsAsked(int units, const std::vector<VertexId>& missed) {
+    std::vector<std::pair<int, double>> starts;
+    for (VertexId v : missed)
+      if (surplus(v) * units < 0)
+        for (const int n : sectorsAt_[v])
+          if (!isImpossible(graph_.changeOf(n, units))) starts.push_back({n, 0.0});
+    search(starts, units, [](int, double) { return true; });
+    int triangles = 0;
+    for (FaceId f : mesh_.faces())
+      triangles += paths_.isReached(field_.sectors.node(mesh_, TriMesh::halfedge(f, 0))) ? 1 : 0;
+    int sectors = 0, sum = 0, bound = 0;
+    for (VertexId v : mesh_.vertices()) {
+      bound += boundAt(v, units);
+      for (const int n : sectorsAt_[v]) {
+        if (!paths_.isReached(n)) continue;
+        ++sectors;
+        sum += graph_.index(n);
+      }
+    }
+    HGP_CHECK((sum - bound) * units < 0, "patches with corners of %d contradict %d", sum, bound);
+    const auto turns = [&](int corners) { return std::to_string((2 * sectors - corners) * 90); };
+    return Failure{ErrorCode::kPrescription, "features",
+                   "The prescribed cones are not possible along these features: " +
+                       counted(triangles, "triangle") + " between them turn by " + turns(sum) +
+                       "° along their boundary, but with these cones on it by at " +
+                       (units < 0 ? "least " : "most ") + turns(bound) + "°. " + instead(missed),
+                   placesOf(missed)};
+  }
+
+  /// The largest (−1) or smallest sum (1) that the sectors of a vertex in the reached patches can have as prescribed.
+  int boundAt(VertexId v, int units) const {
+    const auto extreme = [&](int n, bool isLargest) {
+      return isLargest ? graph_.largest(n) : graph_.lowest(n);
+    };
+    int inside = 0, outside = 0;
+    bool isIn = false;
+    for (const int n : sectorsAt_[v]) {
+      isIn = isIn || paths_.isReached(n);
+      (paths_.isReached(n) ? inside : outside) += extreme(n, paths_.isReached(n) == (units < 0));
+    }
+    const int wanted = givenAround(field_, v);
+    if (!isIn || wanted == 0) return inside;
+    return units < 0 ? std::min(inside, wanted - outside) : std::max(inside, wanted - outside);
+  }
+
+  std::string instead(const std::vector<VertexId>& missed) const {
+    std::string list;
+    for (std::size_t i = 0; i < missed.size() && i < kListed; ++i)
+      list += (i == 0 ? "" : ", ") + std::to_string(indexAround(mesh_, field_, missed[i]));
+    if (missed.size() > kListed) list += ", …";
+    return "Possible is k = " + list + " at " + counted(missed.size(), "place") +
+           " instead. Prescribe that, or leave out the cones or the features.";
+  }
+
+  std::vector<VertexId> differing() const {
+    std::vector<VertexId> out;
+    for (VertexId v : mesh_.vertices())
+      if (surplus(v) != 0) out.push_back(v);
+    return out;
+  }
+
+  static std::vector<Where> placesOf(const std::vector<VertexId>& vertices) {
+    std::vector<Where> where;
+    for (VertexId v : vertices) where.push_back({Where::Kind::kVertex, v.i});
+    return where;
+  }
+
+  const TriMesh& mesh_;
+  AlignedField& field_;
+  const IndexGraph graph_;
+  IndexPaths paths_;
+  PerVertex<std::vector<int>> sectorsAt_;  ///< nodes
+};
+
+}  // namespace
+
+Status makeSumsPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field) {
+  if (field.given.around.size() == 0) return Done{};
+  return SumFlow(mesh, geometry, field).run();
+}
+
+}  // namespace hgp

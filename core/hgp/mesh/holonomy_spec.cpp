@@ -318,8 +318,8 @@ Status checkBounds(const TriMesh& mesh, const Topology& topology, const Holonomy
   return ok ? checkLimits(mesh, topology, spec) : ok;
 }
 
-Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
-                                       const HolonomySpec& spec, AngleShortageMemo* shortages) {
+Result<BudgetReport> checkSums(const TriMesh& mesh, const Topology& topology,
+                               const HolonomySpec& spec) {
   HGP_CHECK(topology.componentCount == 1, "one component expected, got %d",
             topology.componentCount);
   if (Status ok = checkBounds(mesh, topology, spec); !ok) return std::move(ok).error();
@@ -332,6 +332,13 @@ Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topo
   if (!report) return report;
   if (isClosed)
     if (Status ok = checkClosed(topology, spec, *report); !ok) return std::move(ok).error();
+  return report;
+}
+
+Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
+                                       const HolonomySpec& spec, AngleShortageMemo* shortages) {
+  Result<BudgetReport> report = checkSums(mesh, topology, spec);
+  if (!report) return report;
   AngleShortageMemo none;
   report->isTooCoarse = warnShortage(mesh, spec, shortages != nullptr ? *shortages : none, *report);
   if (!report->isTooCoarse) warnPoorVertices(mesh, spec, *report);

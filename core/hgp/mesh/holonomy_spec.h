@@ -77,6 +77,10 @@ Status checkBounds(const TriMesh& mesh, const Topology& topology, const Holonomy
 ///     q|C| − Σ k_i + Σ l_j = q(2 − 2g − m).
 /// Fails with kPrescription and the measured numbers when no map can have this prescription.
 /// @pre one component
+Result<BudgetReport> checkSums(const TriMesh& mesh, const Topology& topology,
+                               const HolonomySpec& spec);
+
+/// checkSums(), with what too few triangles make impossible or unlikely as warnings.
 /// @param shortages  of this mesh: finds the answer of an earlier call with the same angles
 Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
                                        const HolonomySpec& spec,

@@ -50,6 +50,17 @@ Result<std::vector<std::optional<Failure>>> refusedAlong(const Model& model,
 
 }  // namespace
 
+Status checkSums(const Model& model, const Request& request) {
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    const HolonomySpec& spec = request.components[p].spec;
+    if (spec.cones.empty() || !spec.corners.empty()) continue;
+    const ModelComponent& component = model.components[p];
+    const Result<BudgetReport> budget = hgp::checkSums(component.mesh, component.topology, spec);
+    if (!budget) return toSurfaceIds(model, component, budget.error());
+  }
+  return Done{};
+}
+
 Result<Verdict> Session::check(const prescription::Prescription& prescription) const {
   return guarded([&]() -> Result<Verdict> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();

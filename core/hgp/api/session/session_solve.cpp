@@ -252,6 +252,8 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
 Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
   if (Status possible = checkSpacing(*model, options.grid); !possible) return possible;
+  if (Status possible = checkSums(*model, request); !possible && !options.keepsGoing)
+    return possible;
   SolveOptions shared = options;
   shared.grid = sharedGrid(*model, options.grid);
   std::vector<ComponentMap> maps;

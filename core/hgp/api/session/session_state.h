@@ -78,7 +78,6 @@ struct Session::State {
                                          const SolveOptions& options);
   Result<Parametrization> solveAutomatic(std::size_t p, SolveOptions choice,
                                          ParametrizeOptions core);
-  /// solveComponent along its features.
   Result<Parametrization> solveAlong(std::size_t p, const ComponentRequest& request,
                                      const ParametrizeOptions& options);
   /// The map of a component that is the image of another, from the other's.
@@ -116,5 +115,6 @@ io::WriteOptions ioOptions(const WriteOptions& options);
 
 Failure notLoaded();
 Status requireComponents(const std::optional<Model>& model);
+Status checkSums(const Model& model, const Request& request);
 
 }  // namespace hgp::api

@@ -22,7 +22,7 @@ Failure refusal(std::string message) {
   return {ErrorCode::kUsage, "features", std::move(message), {}};
 }
 
-Status checkOptions(PreparedSurface& surface, const HolonomySpec& spec,
+Status checkOptions(const PreparedSurface& surface, const HolonomySpec& spec,
                     const ParametrizeOptions& options) {
   if (spec.q != 4)
     return refusal("features need q = 4; these cones have q = " + std::to_string(spec.q) + ".");
@@ -31,8 +31,7 @@ Status checkOptions(PreparedSurface& surface, const HolonomySpec& spec,
   // What corners of rims turn by is compared by their patches.
   if (spec.cones.empty() || !spec.corners.empty())
     return checkBounds(surface.mesh(), topology, spec);
-  const Result<BudgetReport> budget =
-      checkPrescription(surface.mesh(), topology, spec, &surface.shortages());
+  const Result<BudgetReport> budget = checkSums(surface.mesh(), topology, spec);
   return budget ? Status(Done{}) : budget.error();
 }
 

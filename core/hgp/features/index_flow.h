@@ -12,10 +12,9 @@ namespace hgp {
 /// While a node has an index below 1 or above largestIndex(), or not the given one, moves a unit along the cheapest path of edges of its patch
 /// to or from the node where that costs least: a unit that moves along an edge changes the matching across it by one, or
 /// the axis on this side of a feature edge, so that all equations of AlignedField stay true and Gauss–Bonnet holds on
-/// every patch. Costs per node: kSectorCost (a − angle/(π/2))² for sectors, |k − 4| for vertices.
+/// every patch. Costs are those of IndexGraph.
 /// Fails with kPrescription, and the places, where a patch has no node that can give or take a unit.
 Status makeIndicesPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field);
-inline constexpr double kSectorCost = 10.0;
 
 /// Cancels pairs of vertices off Γ with k < 4 and k > 4 between which no feature is, where the surface is flat: within half of
 /// their distance around each of them there is less than π/8 of the curvature that its cone would take up. Such pairs come from

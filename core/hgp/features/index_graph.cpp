@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hgp/features/index_flow.h"
-
 namespace hgp {
 
 IndexGraph::IndexGraph(const TriMesh& mesh, const Geometry& geometry, const AlignedField& field)

@@ -9,6 +9,8 @@ namespace hgp {
 
 /// Cost of a path per edge, relative to the costs of nodes.
 inline constexpr double kEdgeCost = 0.05;
+/// Costs of nodes: kSectorCost (a − angle/(π/2))² for sectors, |k − 4| for vertices off Γ.
+inline constexpr double kSectorCost = 10.0;
 /// Cost of an index per unit beyond its bounds.
 inline constexpr double kImpossible = 1e6;
 /// Whether a change of costs leads to an index beyond its bounds.

@@ -53,7 +53,7 @@ class IndexFlow {
   /// Opposite vertices that no curvature explains; nearest ones first from each vertex that has too little.
   int cancelPairs() {
     int pairs = 0;
-    for (int n = 0; isVertex(n); ++n) {
+    for (int n = 0; n < graph_.mesh().vertexCount(); ++n) {
       while (isLoose(n) && graph_.index(n) < kRegular) {
         int end = -1, visited = 0;
         paths_.search(n, [&](int m, double) {
@@ -96,7 +96,7 @@ class IndexFlow {
   }
 
  private:
-  bool isVertex(int n) const { return n < graph_.mesh().vertexCount(); }
+  bool isVertex(int n) const { return !graph_.isSector(n); }
 
   /// Whether a vertex off Γ may have another index.
   bool isLoose(int n) const { return graph_.exists(n) && graph_.given(n) == 0; }

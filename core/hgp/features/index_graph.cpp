@@ -6,10 +6,13 @@
 namespace hgp {
 
 IndexGraph::IndexGraph(const TriMesh& mesh, const Geometry& geometry, const AlignedField& field)
-    : mesh_(mesh), field_(field) {
+    : mesh_(mesh), field_(field), sectorsAt_(at(mesh.vertexCount())) {
   angle_.assign(at(mesh.vertexCount()) + field.sectors.list.size(), 0.0);
   for (HalfedgeId h : mesh.halfedges())
     angle_[at(field.sectors.node(mesh, h))] += geometry.cornerAngle[h];
+  for (std::size_t s = 0; s < field.sectors.list.size(); ++s)
+    sectorsAt_[mesh.tail(field.sectors.list[s].first)].push_back(mesh.vertexCount() +
+                                                                 static_cast<int>(s));
 }
 
 bool IndexGraph::exists(int n) const {

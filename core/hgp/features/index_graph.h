@@ -26,6 +26,9 @@ class IndexGraph {
   bool exists(int n) const;
   VertexId vertexOf(int n) const;
   double angle(int n) const { return angle_[at(n)]; }  ///< sum of the corners' angles
+  bool isSector(int n) const { return n >= mesh_.vertexCount(); }
+  /// The nodes of a vertex on Γ.
+  const std::vector<int>& sectorsAt(VertexId v) const { return sectorsAt_[v]; }
 
   int index(int n) const { return field_.index[at(n)]; }
   int given(int n) const { return field_.given.node.empty() ? 0 : field_.given.node[at(n)]; }
@@ -64,6 +67,7 @@ class IndexGraph {
   const TriMesh& mesh_;
   const AlignedField& field_;
   std::vector<double> angle_;
+  PerVertex<std::vector<int>> sectorsAt_;
 };
 
 }  // namespace hgp

@@ -16,16 +16,7 @@ constexpr std::size_t kListed = 8;
 class SumFlow {
  public:
   SumFlow(const TriMesh& mesh, const Geometry& geometry, AlignedField& field)
-      : mesh_(mesh),
-        field_(field),
-        graph_(mesh, geometry, field),
-        paths_(graph_),
-        sectorsAt_(at(mesh.vertexCount())) {
-    const Sectors& sectors = field.sectors;
-    for (std::size_t s = 0; s < sectors.list.size(); ++s)
-      sectorsAt_[mesh.tail(sectors.list[s].first)].push_back(mesh.vertexCount() +
-                                                             static_cast<int>(s));
-  }
+      : mesh_(mesh), field_(field), graph_(mesh, geometry, field), paths_(graph_) {}
 
   Status run() {
     if (Status held = checkBounds(); !held) return held;
@@ -42,7 +33,7 @@ class SumFlow {
   /// The least and the most that the sectors of a vertex can have.
   std::pair<int, int> boundsAt(VertexId v) const {
     int low = 0, high = 0;
-    for (const int n : sectorsAt_[v]) {
+    for (const int n : graph_.sectorsAt(v)) {
       low += graph_.lowest(n);
       high += graph_.largest(n);
     }
@@ -61,12 +52,11 @@ class SumFlow {
     const auto [low, high] = boundsAt(v);
     return Failure{
         ErrorCode::kPrescription, "features",
-        counted(beyond.size(), "prescribed cone is", "prescribed cones are") +
-            " not possible along these features: the feature edges at the first of these "
-            "vertices leave " +
-            (low == high ? "" : std::to_string(low) + " to ") + counted(high, "quarter turn") +
-            " between them, not " + std::to_string(givenAround(field_, v)) +
-            ". Prescribe k within these bounds, or leave out the cones or the features.",
+        formatText("%s not possible along these features: the feature edges at the first of these "
+                   "vertices leave %d to %d quarter turns between them, not %d. Prescribe k within "
+                   "these bounds, or leave out the cones or the features.",
+                   counted(beyond.size(), "prescribed cone is", "prescribed cones are").c_str(),
+                   low, high, givenAround(field_, v)),
         placesOf(beyond)};
   }
 
@@ -76,24 +66,22 @@ class SumFlow {
     return wanted == 0 ? 0 : indexAround(mesh_, field_, v) - wanted;
   }
 
-  bool isSector(int n) const { return n >= mesh_.vertexCount(); }
-
   /// Whether a node may be given `units` without another sum that is prescribed being missed.
   bool isEnd(int n, int units) const {
     const VertexId v = graph_.vertexOf(n);
     if (isImpossible(graph_.changeOf(n, units))) return false;
-    return !isSector(n) || givenAround(field_, v) == 0 || surplus(v) * units < 0;
+    return !graph_.isSector(n) || givenAround(field_, v) == 0 || surplus(v) * units < 0;
   }
 
   /// One unit to the vertex (1) or from it (−1).
   bool move(VertexId v, int units) {
-    std::vector<std::pair<int, double>> starts;
-    for (const int n : sectorsAt_[v])
+    IndexPaths::Starts starts;
+    for (const int n : graph_.sectorsAt(v))
       if (const double change = graph_.changeOf(n, units); !isImpossible(change))
         starts.push_back({n, change});
     double best = kImpossible;
     int end = -1;
-    search(starts, units, [&](int n, double d) {
+    paths_.search(starts, units, [&](int n, double d) {
       if (d > best) return false;
       if (graph_.vertexOf(n) == v || !isEnd(n, -units)) return true;
       const double all = d + std::max(0.0, graph_.changeOf(n, -units));
@@ -109,50 +97,38 @@ class SumFlow {
     return true;
   }
 
-  /// Paths of a unit to `starts` (1) or from them (−1); at every vertex on Γ it may go on in another sector.
-  template <class Use>
-  void search(const std::vector<std::pair<int, double>>& starts, int units, const Use& use) {
-    const auto jumps = [&](int n, const auto& to) {
-      if (!isSector(n)) return;
-      const double here = graph_.changeOf(n, -units);
-      if (isImpossible(here)) return;
-      for (const int other : sectorsAt_[graph_.vertexOf(n)]) {
-        const double there = graph_.changeOf(other, units);
-        if (other != n && !isImpossible(there)) to(other, kEdgeCost + std::max(0.0, here + there));
-      }
-    };
-    paths_.search(starts, jumps, use);
-  }
-
   /// The patches that a unit can reach have no place for it (−1), or none to spare (1): their indices' sum contradicts the
   /// prescribed ones.
   Failure notAsAsked(int units, const std::vector<VertexId>& missed) {
-    std::vector<std::pair<int, double>> starts;
+    IndexPaths::Starts starts;
     for (VertexId v : missed)
       if (surplus(v) * units < 0)
-        for (const int n : sectorsAt_[v])
+        for (const int n : graph_.sectorsAt(v))
           if (!isImpossible(graph_.changeOf(n, units))) starts.push_back({n, 0.0});
-    search(starts, units, [](int, double) { return true; });
+    paths_.search(starts, units, [](int, double) { return true; });
     int triangles = 0;
     for (FaceId f : mesh_.faces())
       triangles += paths_.isReached(field_.sectors.node(mesh_, TriMesh::halfedge(f, 0))) ? 1 : 0;
     int sectors = 0, sum = 0, bound = 0;
     for (VertexId v : mesh_.vertices()) {
       bound += boundAt(v, units);
-      for (const int n : sectorsAt_[v]) {
+      for (const int n : graph_.sectorsAt(v)) {
         if (!paths_.isReached(n)) continue;
         ++sectors;
         sum += graph_.index(n);
       }
     }
     HGP_CHECK((sum - bound) * units < 0, "patches with corners of %d contradict %d", sum, bound);
-    const auto turns = [&](int corners) { return std::to_string((2 * sectors - corners) * 90); };
-    return Failure{ErrorCode::kPrescription, "features",
-                   "The prescribed cones are not possible along these features: " +
-                       counted(triangles, "triangle") + " between them turn by " + turns(sum) +
-                       "° along their boundary, but with these cones on it by at " +
-                       (units < 0 ? "least " : "most ") + turns(bound) + "°. " + instead(missed),
-                   placesOf(missed)};
+    return Failure{
+        ErrorCode::kPrescription, "features",
+        formatText("The prescribed cones are not possible along these features: %d triangles "
+                   "between them turn by %d° along their boundary, but with these cones on it by "
+                   "at %s %d°. Possible is k = %s at %s instead. Prescribe that, or leave out the "
+                   "cones or the features.",
+                   triangles, (2 * sectors - sum) * 90, units < 0 ? "least" : "most",
+                   (2 * sectors - bound) * 90, listOf(missed).c_str(),
+                   counted(missed.size(), "place").c_str()),
+        placesOf(missed)};
   }
 
   /// The largest (−1) or smallest sum (1) that the sectors of a vertex in the reached patches can have as prescribed.
@@ -162,7 +138,7 @@ class SumFlow {
     };
     int inside = 0, outside = 0;
     bool isIn = false;
-    for (const int n : sectorsAt_[v]) {
+    for (const int n : graph_.sectorsAt(v)) {
       isIn = isIn || paths_.isReached(n);
       (paths_.isReached(n) ? inside : outside) += extreme(n, paths_.isReached(n) == (units < 0));
     }
@@ -171,13 +147,13 @@ class SumFlow {
     return units < 0 ? std::min(inside, wanted - outside) : std::max(inside, wanted - outside);
   }
 
-  std::string instead(const std::vector<VertexId>& missed) const {
+  /// The k that the field has.
+  std::string listOf(const std::vector<VertexId>& vertices) const {
     std::string list;
-    for (std::size_t i = 0; i < missed.size() && i < kListed; ++i)
-      list += (i == 0 ? "" : ", ") + std::to_string(indexAround(mesh_, field_, missed[i]));
-    if (missed.size() > kListed) list += ", …";
-    return "Possible is k = " + list + " at " + counted(missed.size(), "place") +
-           " instead. Prescribe that, or leave out the cones or the features.";
+    for (std::size_t i = 0; i < vertices.size() && i < kListed; ++i)
+      list += (i == 0 ? "" : ", ") + std::to_string(indexAround(mesh_, field_, vertices[i]));
+    if (vertices.size() > kListed) list += ", …";
+    return list;
   }
 
   std::vector<VertexId> differing() const {
@@ -197,7 +173,6 @@ class SumFlow {
   AlignedField& field_;
   const IndexGraph graph_;
   IndexPaths paths_;
-  PerVertex<std::vector<int>> sectorsAt_;  ///< nodes
 };
 
 }  // namespace

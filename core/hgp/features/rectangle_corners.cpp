@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
+
+#include "hgp/base/stable_order.h"
 
 namespace hgp {
 namespace {
@@ -69,14 +70,12 @@ std::vector<Candidate> candidatesOf(const TriMesh& mesh, const Geometry& geometr
                                     const BoundaryLoop& loop) {
   const PerVertex<double> turning = turningsOf(mesh, geometry);
   const std::vector<Candidate> all = verticesOf(mesh, geometry, loop, turning);
-  std::vector<std::size_t> order(all.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto most = order.begin() + std::min<std::ptrdiff_t>(kStretches, std::ssize(order));
-  std::partial_sort(order.begin(), most, order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(-turning[all[a].vertex], a) < std::pair(-turning[all[b].vertex], b);
+  const std::vector<std::size_t> order = stableOrder(all.size(), [&](std::size_t a, std::size_t b) {
+    return turning[all[a].vertex] > turning[all[b].vertex];
   });
   std::vector<char> isCandidate(all.size(), 0);
-  for (auto i = order.begin(); i != most; ++i) isCandidate[*i] = 1;
+  for (std::size_t i = 0; i < order.size() && i < std::size_t{kStretches}; ++i)
+    isCandidate[order[i]] = 1;
   for (std::size_t i = 0; i < all.size();) {
     const auto stretchOf = [&](std::size_t j) { return std::floor(all[j].place * kStretches); };
     std::size_t best = i, end = i + 1;

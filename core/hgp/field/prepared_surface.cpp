@@ -16,8 +16,7 @@ bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
   if (asked.turning.size() != found.turning.size()) return false;
   if (asked.handles.size() != found.handles.size()) return false;
   std::vector<ConePoint> cones = asked.cones;
-  std::sort(cones.begin(), cones.end(),
-            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+  sortCones(cones);
   const auto isSame = [](const ConePoint& a, const ConePoint& b) {
     return a.vertex == b.vertex && a.k == b.k;
   };

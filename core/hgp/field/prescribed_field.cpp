@@ -150,8 +150,7 @@ Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext&
   result.spec.turning = *turning;
   for (const ConePoint& cone : spec.cones)
     if (cone.k != spec.q) result.spec.cones.push_back(cone);
-  std::sort(result.spec.cones.begin(), result.spec.cones.end(),
-            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+  sortCones(result.spec.cones);
   for (const DualLoop& loop : context.handles.loops)
     result.spec.handles.push_back(loopHolonomy(result.field, loop));
   result.u = PerVertex<double>(static_cast<std::size_t>(mesh.vertexCount()), 0.0);

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 #include "hgp/base/check.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/io/remesh.h"
 #include "hgp/mesh/vectors.h"
 
@@ -19,12 +19,9 @@ int materialAt(const Attributes& a, std::size_t polygon) {
 
 /// Polygons with one material follow one another, in the order of the first of each.
 std::vector<std::size_t> byMaterial(const PolygonMesh& polygons, const Attributes& a) {
-  std::vector<std::size_t> order(hgp::at(polygons.polygonCount()));
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+  return stableOrder(hgp::at(polygons.polygonCount()), [&](std::size_t x, std::size_t y) {
     return materialAt(a, x) < materialAt(a, y);
   });
-  return order;
 }
 
 void appendObjCorner(std::string& out, int vertex, int uv, int normal) {

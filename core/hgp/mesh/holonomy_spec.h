@@ -17,6 +17,8 @@ struct ConePoint {
   VertexId vertex;
   int k = 0;
 };
+/// By vertex, ascending.
+void sortCones(std::vector<ConePoint>& cones);
 
 /// The prescription for one connected surface. Turnings and handles that are empty are completed from the smoothest
 /// field with these cones (prescribedField).

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "hgp/base/stable_order.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/real_row.h"
 
@@ -146,12 +147,10 @@ LengthFit fitLengths(const StraightSystem& straight) {
   const double largest = r.size() > 0 ? r.maxCoeff() : 0.0;
   out.isPossible = largest < kDoubt && out.flat.empty();
   if (largest < kDoubt) return out;
-  std::vector<std::size_t> order(straight.edges.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
   const auto shortOf = [&](std::size_t e) { return r[static_cast<Eigen::Index>(e)]; };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return shortOf(a) > shortOf(b); });
-  for (const std::size_t e : order)
+  for (const std::size_t e : stableOrder(straight.edges.size(), [&](std::size_t a, std::size_t b) {
+         return shortOf(a) > shortOf(b);
+       }))
     if (shortOf(e) > kShortShare * largest) out.edges.push_back(straight.edges[e].h);
   return out;
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/harmonic_basis.h"
 #include "hgp/optimize/nearest_harmonic.h"
@@ -26,10 +26,9 @@ constexpr double kProximalChange = 1e-13;
 constexpr double kVanishedEnergy = 1e-6;
 
 std::vector<FaceId> strainedMost(const Frames& frames, const socp::Solution& solution) {
-  std::vector<std::size_t> order(frames.faces.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return solution.y[a][0] > solution.y[b][0]; });
+  const std::vector<std::size_t> order = stableOrder(
+      frames.faces.size(),
+      [&](std::size_t a, std::size_t b) { return solution.y[a][0] > solution.y[b][0]; });
   std::vector<FaceId> faces;
   for (std::size_t j : order) {
     if (faces.size() >= kConflictCount ||

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "hgp/base/portable_math.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/optimize/real_form.h"
 #include "hgp/optimize/real_row.h"
 #include "hgp/system/face_rows.h"
@@ -267,10 +267,9 @@ class StraightProgram {
   }
 
   void findConflict(const socp::Solution& solution, StraightResult& result) const {
-    std::vector<std::size_t> order(solution.y.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return solution.y[a][0] > solution.y[b][0]; });
+    const std::vector<std::size_t> order = stableOrder(
+        solution.y.size(),
+        [&](std::size_t a, std::size_t b) { return solution.y[a][0] > solution.y[b][0]; });
     for (const std::size_t b : order) {
       if (result.conflict.size() >= kStraightConflictCount ||
           solution.y[b][0] < kStraightConflictShare * solution.y[order[0]][0])

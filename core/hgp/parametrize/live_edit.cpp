@@ -84,8 +84,7 @@ CompleteSpec LiveEdit::State::specAt(VertexId v) const {
   CompleteSpec out = spec;
   for (ConePoint& c : out.cones)
     if (c.vertex == cone.vertex) c.vertex = v;
-  std::sort(out.cones.begin(), out.cones.end(),
-            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+  sortCones(out.cones);
   for (std::size_t i = 0; i < out.handles.size() && i < field->handleChange().size(); ++i)
     out.handles[i] = reduceTurn(out.handles[i] + field->handleChange()[i], out.q);
   return out;

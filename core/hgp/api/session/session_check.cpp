@@ -52,8 +52,10 @@ Result<std::vector<std::optional<Failure>>> refusedAlong(const Model& model,
 
 Status checkSums(const Model& model, const Request& request) {
   for (std::size_t p = 0; p < model.components.size(); ++p) {
-    const HolonomySpec& spec = request.components[p].spec;
-    if (spec.cones.empty() || !spec.corners.empty()) continue;
+    const ComponentRequest& asked = request.components[p];
+    const HolonomySpec& spec = asked.spec;
+    // Corners are compared with their patches, and mirrored cones with their images, before they are added up.
+    if (spec.cones.empty() || !spec.corners.empty() || asked.mirror) continue;
     const ModelComponent& component = model.components[p];
     const Result<BudgetReport> budget = hgp::checkSums(component.mesh, component.topology, spec);
     if (!budget) return toSurfaceIds(model, component, budget.error());

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "hgp/base/stable_order.h"
 
 namespace hgp::api {
 namespace {
@@ -53,17 +54,15 @@ class Packer {
 
 std::vector<Vec2> packBoxes(const std::vector<UvBox>& boxes, double unit) {
   std::vector<Vec2> shifts(boxes.size(), Vec2{0, 0});
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!boxes[i].isEmpty) order.push_back(i);
-  }
-  if (order.size() < 2) return shifts;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return boxes[a].extent() < boxes[b].extent();
-  });
+  const auto isUsed = [](const UvBox& box) { return !box.isEmpty; };
+  if (std::count_if(boxes.begin(), boxes.end(), isUsed) < 2) return shifts;
+  const auto extentOf = [&](std::size_t i) { return boxes[i].isEmpty ? 0.0 : boxes[i].extent(); };
+  const std::vector<std::size_t> order = stableOrder(
+      boxes.size(), [&](std::size_t a, std::size_t b) { return extentOf(a) < extentOf(b); });
   Packer packer;
-  for (std::size_t i : order) {
+  for (const std::size_t i : order) {
     const UvBox& box = boxes[i];
+    if (box.isEmpty) continue;
     // A shift is rounded up by less than one quantum; the reserved place includes this margin.
     const double quantum = quantumOf(box, unit);
     const double room = quantum + kGap * box.extent();

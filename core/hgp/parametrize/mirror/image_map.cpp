@@ -32,8 +32,7 @@ CompleteSpec specOf(const CompleteSpec& first, const TriMesh& from, const TriMes
   spec.q = first.q;
   for (const ConePoint& cone : first.cones)
     spec.cones.push_back({image.vertex[cone.vertex], cone.k});
-  std::sort(spec.cones.begin(), spec.cones.end(),
-            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+  sortCones(spec.cones);
   for (EdgeId e : first.features)
     spec.features.push_back(mesh.edge(image.halfedge[from.halfedge(e)]));
   std::sort(spec.features.begin(), spec.features.end());

@@ -106,8 +106,7 @@ CompleteSpec wholeSpec(const TriMesh& mesh, const Mirror& mirror, const HalfSurf
   for (const MeasuredCone& cone : measured.angles.cones)
     if (mirror.image.vertex[cone.vertex] == cone.vertex && cone.measured != spec.q)
       spec.cones.push_back({cone.vertex, cone.measured});
-  std::sort(spec.cones.begin(), spec.cones.end(),
-            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+  sortCones(spec.cones);
   for (EdgeId e : side.features) {
     const HalfedgeId h = half.origin(half.mesh.halfedge(e));
     spec.features.push_back(mesh.edge(h));

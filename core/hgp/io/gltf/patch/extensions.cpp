@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "hgp/base/check.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/io/gltf/check/check.h"
 #include "hgp/io/gltf/decode/accessor.h"
 #include "hgp/io/gltf/patch/writer.h"
@@ -160,13 +161,10 @@ void GltfWriter::releaseViews() {
 
 /// Accessors that others refer to come first; those without an old view take the released views that remain.
 std::vector<std::size_t> GltfWriter::placingOrder() const {
-  std::vector<std::size_t> order(fresh_.size());
   std::set<int> isPointedAt;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-    isPointedAt.insert({fresh_[i].sparseIndices, fresh_[i].sparseValues});
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  for (const GltfNewAccessor& fresh : fresh_)
+    isPointedAt.insert({fresh.sparseIndices, fresh.sparseValues});
+  return stableOrder(fresh_.size(), [&](std::size_t a, std::size_t b) {
     const auto rank = [&](std::size_t i) {
       const GltfNewAccessor& fresh = fresh_[i];
       if (isPointedAt.count(static_cast<int>(i)) > 0) return 0;
@@ -174,7 +172,6 @@ std::vector<std::size_t> GltfWriter::placingOrder() const {
     };
     return rank(a) < rank(b);
   });
-  return order;
 }
 
 void GltfWriter::placeAccessors() {

@@ -165,6 +165,7 @@ test('the worker for offline use is registered once, when there is time; without
 test('the validator finds the files of a glTF by their decoded names, and tells what is wrong with one', async (t) => {
   let listen;
   const answers = [];
+  replace(t, 'document', undefined); // a worker has none, and the validator looks
   replace(t, 'addEventListener', (type, act) => (assert.equal(type, 'message'), (listen = act)));
   replace(t, 'postMessage', (message) => answers.push(message));
   await import('../../../web/src/services/validator_worker.ts?alone');

@@ -195,6 +195,7 @@ export async function importCones(app: App, name: string, text: string): Promise
   if (!model || isLocked(app)) return;
   try {
     const cones = await model.solver.readCones({ name, text, q: doc.prescription.q });
+    if (doc.model !== model) return; // another file was opened in the meantime
     const { turnings, handles } = doc.prescription;
     setPrescription(app, fromCones(cones, turnings.length, handles.length), 'import cones');
     doc.takeField(hasDirections(name) ? { name, text } : undefined);

@@ -32,6 +32,7 @@ export async function open(app: App, dropped: Files): Promise<void> {
   const coneFile = doc.model ? coneFileOf(dropped) : undefined;
   if (coneFile) {
     const text = new TextDecoder().decode(await bytesOf(dropped.get(coneFile)!));
+    if (own !== doc.openRequestId) return;
     return importCones(app, coneFile, text);
   }
   const files = await unpack(dropped);

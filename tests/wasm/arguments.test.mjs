@@ -365,6 +365,33 @@ test('a worker that cannot be started is said at the start', async () => {
   await assert.rejects(createClient({ createWorker: () => 5 }), wrong);
 });
 
+test('a client whose start fails leaves no worker behind, and says why', async () => {
+  const tell = (worker, type, members) => worker.dispatchEvent(Object.assign(new Event(type), members)); // prettier-ignore
+  const answer = (error) => (worker, id) => tell(worker, 'message', { data: { id, error } });
+  const failures = {
+    internal: answer({ code: 'internal', message: 'no such thing' }),
+    limit: answer({ code: 'limit', message: 'no memory' }),
+    'wasm-unavailable': (worker) => tell(worker, 'error', { message: 'a wrong script' }),
+  };
+  for (const [code, fail] of Object.entries(failures)) {
+    const workers = [];
+    class Failing extends EventTarget {
+      posted = [];
+      postMessage(message) {
+        this.posted.push(message.method);
+        if (message.id > 0) setImmediate(() => fail(this, message.id));
+      }
+      terminate() {
+        this.isEnded = true;
+      }
+    }
+    const createWorker = () => (workers.push(new Failing()), workers.at(-1));
+    await assert.rejects(createClient({ createWorker }), { name: 'HgpError', code });
+    await new Promise((resolve) => setImmediate(resolve));
+    assert.deepEqual(workers.map(({ posted, isEnded }) => [posted, isEnded]), [[['init', 'ready'], true]], code); // prettier-ignore
+  }
+});
+
 test('a throw in onProgress rejects the call, and the next call works', () =>
   withClient(async (client) => {
     const model = await client.load(bytesOf(bumpyDisk(40)), { name: 'large.obj' });

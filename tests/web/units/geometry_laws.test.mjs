@@ -319,6 +319,25 @@ test('overlays: the ends of a ramp are those of the legend, larger is lighter, a
   );
 });
 
+test('between its five colours a ramp is straight, to the nearest whole number, over all of its 256 steps', () => {
+  const ramps = {
+    angle: [[0, 34, 78], [66, 78, 108], [125, 124, 120], [187, 175, 113], [254, 232, 56]],
+    area: [[33, 102, 172], [146, 197, 222], [247, 247, 247], [244, 165, 130], [178, 24, 43]],
+  }; // prettier-ignore
+  const steps = Array.from({ length: 256 }, (_, s) => s / 255);
+  const corners = Uint32Array.from({ length: 3 * 256 }, (_, c) => c);
+  const about = { stretch: Float32Array.from(steps, (x) => 1 + 2 * x), area: Float32Array.from(steps, (x) => 4 * x - 2) }; // prettier-ignore
+  for (const [overlay, colours] of Object.entries(ramps)) {
+    const out = overlayColours(overlay, values(about), limits, corners);
+    steps.forEach((x, s) => {
+      const [at, i] = [4 * x, Math.min(3, Math.floor(4 * x))];
+      const expected = colours[i].map((low, k) => low + (at - i) * (colours[i + 1][k] - low));
+      for (let c = 3 * s; c < 3 * s + 3; c++)
+        expected.forEach((one, k) => assert.ok(Math.abs(out[4 * c + k] - one) <= 0.5 + 1e-9, `${overlay}, step ${s}`)); // prettier-ignore
+    });
+  }
+});
+
 test('folded triangles are red under every overlay, and others are never', () => {
   const folded = values({ flipped: Uint32Array.from([1]) });
   for (const overlay of ['none', 'angle', 'area', 'seams', 'flips']) {

@@ -3,10 +3,11 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { MeshoptEncoder } from 'meshoptimizer';
 import { BufferAttribute, BufferGeometry, Ray, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { randomFrom } from '../../mutation/draw.mjs';
-import { toObj } from '../../support/meshes.mjs';
+import { packGlb, toGltf, toObj } from '../../support/meshes.mjs';
 import { flatPositions } from '../../../web/src/services/geometry/flat_positions.ts';
 import { Mirror } from '../../../web/src/services/geometry/mirror_plane.ts';
 import { bvhAtOnce, bvhFrom, pickGeometry } from '../../../web/src/views/corner_geometry.ts';
@@ -167,6 +168,48 @@ test('a mesh beside others has the corners and normals of its triangles, a pictu
     const { result: turned } = await ask('part', arrays(), [0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 0, 0, 0, 0, 1]); // prettier-ignore
     assert.deepEqual(turned.shape.cornerPositions, cornerPositions, 'not placed yet');
     assert.notDeepEqual(turned.picture, result.picture, 'the picture is of the placed mesh');
+  }));
+
+/** A glTF whose buffers are compressed. */
+function compressed({ json, bin }) {
+  const parts = [];
+  json.accessors.forEach(({ bufferView, count, type }) => {
+    const { byteOffset, byteLength } = json.bufferViews[bufferView];
+    const mode = type === 'SCALAR' ? 'INDICES' : 'ATTRIBUTES';
+    const stride = byteLength / count;
+    const part = MeshoptEncoder.encodeGltfBuffer(new Uint8Array(bin.subarray(byteOffset, byteOffset + byteLength)), count, stride, mode); // prettier-ignore
+    const at = parts.reduce((sum, { length }) => sum + length, 0);
+    const about = { buffer: 0, byteOffset: at, byteLength: part.length, byteStride: stride, count, mode }; // prettier-ignore
+    json.bufferViews[bufferView] = { buffer: 1, byteLength, extensions: { EXT_meshopt_compression: about } }; // prettier-ignore
+    parts.push(part);
+  });
+  json.extensionsUsed = ['EXT_meshopt_compression'];
+  return { json, bin: Buffer.concat(parts) };
+}
+
+test('a map is found in a file whatever compresses its buffers, and another map is told from it', () =>
+  withWorker(async (ask) => {
+    await MeshoptEncoder.ready;
+    await ask('surface', 8, arrays(), facts, identity);
+    const { positions, triangles } = arrays();
+    const uv = Float64Array.from(mesh.vertices.flatMap(([x, y, z]) => [x + 0.3 * z, y - 0.2 * z].map(Math.fround))); // prettier-ignore
+    const map = { positions, triangles, uv, cornerToUv: triangles, uvToVertex: Uint32Array.from(mesh.vertices.keys()), seams: [] }; // prettier-ignore
+    const ofVertex = (p) => mesh.vertices.indexOf(p);
+    const gltf = () => toGltf([mesh], { uv: { 0: (p) => [uv[2 * ofVertex(p)], 1 - uv[2 * ofVertex(p) + 1]] } }); // prettier-ignore
+    for (const content of [gltf(), compressed(gltf())]) {
+      const files = [{ name: 'a.glb', bytes: new Uint8Array(packGlb(content)) }];
+      const asked = { ...request(), map, files };
+      const other = { ...asked, map: { ...map, uv: uv.with(3, uv[3] + 0.01) } };
+      const found = [];
+      for (const one of [asked, other]) {
+        const { difference } = (await ask('compare', one)).result;
+        const { analysis } = (await ask('analyse', 9, 8, one)).result;
+        assert.equal(analysis.difference, difference);
+        found.push(difference);
+      }
+      assert.equal(found[0], '');
+      assert.ok(found[1].length > 0 && !found[1].includes('compressed'), found[1]);
+    }
   }));
 
 test('what is forgotten is not known any more, and the rest is', () =>

@@ -79,6 +79,34 @@ test('a pointer finds the front triangle and its nearest corner, wherever the ca
     assert.equal(view.pick(inWindow({ x: 300, y: 200 })), undefined);
   }));
 
+test('what another mesh of the file hides has no vertex for a pointer, which mesh it may be; the one that is in front is found', () =>
+  withCanvases(({ rest }) => {
+    const { view } = viewOf(rest);
+    view.camera.updateMatrixWorld(true);
+    const middle = inWindow({ x: 300, y: 200 });
+    const free = view.pick(middle);
+    assert.ok(free);
+    // A triangle around the middle of the picture, this part of the way from the eye to the model.
+    const facing = (mesh, part, isPlaced = true) => {
+      const to = view.camera.matrixWorld.clone().multiply(new Matrix4().makeTranslation(0, 0, -part * view.camera.position.length())); // prettier-ignore
+      const cornerPositions = Float32Array.of(-1, -1, 0, 1, -1, 0, 0, 1, 0);
+      const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(cornerPositions, 3)); // prettier-ignore
+      const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }));
+      return { mesh, isPlaced, cornerPositions, cornerNormals: new Int8Array(12), tree, matrices: [to.elements] }; // prettier-ignore
+    };
+    const show = (...parts) => view.setScene({ parts, open: 7, maps: new Map(), isOwnShown: false, palette }); // prettier-ignore
+    for (const mesh of [0, 1, 2, 6]) {
+      show(facing(mesh, 0.3));
+      assert.deepEqual([view.pick(middle), view.pickPart(middle)], [undefined, mesh]);
+      for (const one of [facing(mesh, 3), facing(mesh, 0.3, false), facing(7, 0.3)]) {
+        show(one);
+        assert.deepEqual([view.pick(middle), view.pickPart(middle)], [free, -1], `mesh ${one.mesh}`); // prettier-ignore
+      }
+      show(facing(mesh, 0.4), facing(mesh + 1, 0.3), facing(mesh + 2, 0.5));
+      assert.equal(view.pickPart(middle), mesh + 1 === 7 ? mesh : mesh + 1, 'the nearest');
+    }
+  }));
+
 test('a double click brings what is under it into the middle, and beside the model does nothing', () =>
   withCanvases(({ rest }) => {
     const { view } = viewOf(rest);

@@ -177,6 +177,7 @@ test('glTF: buffers that are compressed are read with a decoder, and refused wit
     file.json.extensionsUsed = ['other', extension];
     const files = file.files([{ attributes }]);
     assert.equal(isMeshoptUsed(files[0]), true);
+    assert.equal(isMeshoptUsed({ ...files[0], name: 'a.obj' }), false);
     same(readUv(files, 0, undefined, MeshoptDecoder), [0, 1, 2], extension);
     assert.throws(() => readUv(files, 0));
   }

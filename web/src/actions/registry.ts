@@ -25,7 +25,7 @@ const noCones = ({ doc }: App): string =>
   doc.prescription.cones.length > 0 ? '' : 'There are no cones.';
 const notSelected = ({ doc }: App): string => (doc.selected >= 0 ? '' : 'Select a cone first.');
 const notEditable = ({ doc }: App): string => (doc.usableModel ? '' : 'Open a model first.');
-const selectedK = ({ doc }: App): number => doc.prescription.cones[doc.selected]?.k ?? 0;
+const selectedK = ({ doc }: App): number => doc.prescription.cones[doc.selected].k;
 
 const fileActions = {
   open: {

@@ -92,6 +92,7 @@ const meshoptOf = ({ extensions = {} }: BufferView): Meshopt | undefined =>
   meshoptNames.map((name) => extensions[name] as Meshopt | undefined).find(Boolean);
 
 export const isMeshoptUsed = (main: OutputFile): boolean => {
+  if (!isGltf(main.name)) return false;
   const { extensionsUsed } = parseGltf(main);
   return Array.isArray(extensionsUsed) && meshoptNames.some((one) => extensionsUsed.includes(one));
 };

@@ -4,7 +4,6 @@
 import { zipSync } from 'fflate';
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
-import { isGltf } from '../formats/glb';
 import type { SerializedBvh } from '../model/scene';
 import type { Analysis, OutputFile, Surface } from '../model/types';
 import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
@@ -153,7 +152,7 @@ function bvhOf(positions: Float32Array | Float64Array, triangles?: Uint32Array):
 
 /** The decoder for a file, loaded when the first file needs it. */
 async function decoderFor(main: OutputFile): Promise<MeshoptDecoder | undefined> {
-  if (!isGltf(main.name) || !isMeshoptUsed(main)) return undefined;
+  if (!isMeshoptUsed(main)) return undefined;
   const { MeshoptDecoder: decoder } = await import('three/addons/libs/meshopt_decoder.module.js');
   await decoder.ready;
   return decoder;

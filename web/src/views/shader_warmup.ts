@@ -14,18 +14,19 @@ export function oneOfEach(isLit: boolean): Object3D[] {
     const values = Float32Array.from({ length: 3 * size }, (_, i) => (i * 0.37) % 1);
     geometry.setAttribute(name, new BufferAttribute(values, size));
   }
+  const places = [1, 2, 3, 4, 5, 7]; // any two
   const lines = new Lines(2);
-  lines.set([0, 0, 0, 1, 1, 0], new Color(0));
+  lines.set(places, new Color());
   const wire = new Wire(1, isLit);
-  wire.set(geometry, new Color(0));
+  wire.set(geometry, new Color());
   const markers = new ConeMarkers(isLit);
-  markers.show([{ at: [0, 0, 0], k: 1, q: 4, isSelected: false, isBad: false }]);
+  markers.show([{ at: [1, 2, 3], k: 1, q: 4, isSelected: false, isBad: false }]);
   const mapped = surfaceMaterial(isLit);
   setPattern(mapped, 'checker', { q: 4, scale: 1, isAligned: false });
   const surfaces = [surfaceMaterial(isLit), mapped].map((one) => new Mesh(geometry, one));
   const all = [...surfaces, lines, wire, markers];
   if (!isLit) return all;
   const shadow = new ContactShadow();
-  shadow.show([0, 0, 0, 1, 0, 1]);
+  shadow.show(places);
   return [...all, shadow];
 }

@@ -74,7 +74,7 @@ interface Around {
 type Join = (ends: Int32Array, first: number, last: number, meet: (i: number, j: number) => void) => void; // prettier-ignore
 
 const joinFew: Join = (ends, first, last, meet) => {
-  for (let i = first + 1; i < last; i++) {
+  for (let i = first; i < last; i++) {
     const a = ends[2 * i];
     const b = ends[2 * i + 1];
     for (let j = first; j < i; j++) {

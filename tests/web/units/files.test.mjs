@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { nameOf, packed } from '../../../web/src/formats/exports.ts';
 import { filesOfDrop, filesOfInput, findMissing, safeName, unpack } from '../../../web/src/formats/file_set.ts'; // prettier-ignore
 import { gltfOf, relativeName, splitGlb } from '../../../web/src/formats/glb.ts';
 import { cubeMesh, toGlb } from '../../support/meshes.mjs';
@@ -30,6 +31,36 @@ test('a download has a harmless name', () => {
   assert.equal(safeName('a/b c.glb'), 'b_c.glb');
   assert.equal(safeName('..'), 'model');
   assert.equal(safeName(`${'x'.repeat(100)}.obj`).length, 80);
+});
+
+test('a download has the type of its name; one file is saved as it is, several and a .gltf as a ZIP', async () => {
+  const types = { 'a.glb': 'model/gltf-binary', 'b.c.obj': 'text/plain', 'D.SVG': 'image/svg+xml', 'e.json': 'application/json', 'f.flat.Zip': 'application/zip', 'g.ply': 'application/octet-stream', glb: 'model/gltf-binary', 'h.': 'application/octet-stream' }; // prettier-ignore
+  const own = bytes('own');
+  const zipped = bytes('zipped');
+  const zip = async (files) => (assert.ok(files.length > 0), zipped);
+  for (const [name, type] of Object.entries(types))
+    assert.deepEqual(await packed(name, [{ name, bytes: own }], zip), { name, bytes: own, type });
+  const named = (files, hasGrid = false) => ({ model: { main: 'x/the mesh.GLTF' }, solution: { files, output: { hasGrid } } }); // prettier-ignore
+  for (const [files, isZip] of [
+    [['a.glb'], false],
+    [['a.GLTF'], true],
+    [['a.obj', 'a.mtl'], true],
+    [['a.glb', 'b.png'], true],
+  ]) {
+    const all = files.map((name) => ({ name, bytes: own }));
+    assert.equal((await packed('a', all, zip)).bytes, isZip ? zipped : own, `${files}`);
+    assert.equal(nameOf(named(all), 'same'), isZip ? 'the_mesh.zip' : files[0]);
+  }
+  for (const [format, plain, withGrid = plain] of [
+    ['glb', 'the_mesh.glb'],
+    ['zip', 'the_mesh.zip'],
+    ['obj', 'the_mesh.obj', 'the_mesh.zip'],
+    ['flat', 'the_mesh.flat.obj'],
+    ['cones', 'the_mesh.cones.json'],
+    ['report', 'the_mesh.report.json'],
+    ['svg', 'the_mesh.svg'],
+  ])
+    assert.deepEqual([nameOf(named([]), format), nameOf(named([], true), format)], [plain, withGrid]); // prettier-ignore
 });
 
 test('missing files that a glTF names are listed, and matched by name where folders are lost', async () => {

@@ -31,8 +31,7 @@ export async function unzip(archive: Blob, caps = limits): Promise<Map<string, U
     let size = 0;
     unfinished = entry.name;
     entry.ondata = (error, chunk, isLast) => {
-      if (error) fail(`${entry.name} cannot be unpacked: ${error.message}`);
-      if (failure) return;
+      if (error) return fail(`${entry.name} cannot be unpacked: ${error.message}`);
       size += chunk.length;
       total += chunk.length;
       if (total > caps.bytes || total > caps.ratio * Math.max(archive.size, 4096)) {

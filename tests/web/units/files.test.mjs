@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { nameOf, packed } from '../../../web/src/formats/exports.ts';
+import { nameOf, packed, writeOptionsFor } from '../../../web/src/formats/exports.ts';
 import { filesOfDrop, filesOfInput, findMissing, safeName, unpack } from '../../../web/src/formats/file_set.ts'; // prettier-ignore
 import { gltfOf, relativeName, splitGlb } from '../../../web/src/formats/glb.ts';
 import { cubeMesh, toGlb } from '../../support/meshes.mjs';
@@ -51,6 +51,11 @@ test('a download has the type of its name; one file is saved as it is, several a
     assert.equal((await packed('a', all, zip)).bytes, isZip ? zipped : own, `${files}`);
     assert.equal(nameOf(named(all), 'same'), isZip ? 'the_mesh.zip' : files[0]);
   }
+  const asked = { glb: 'glb', zip: 'gltf', obj: 'obj', flat: 'flat-obj', svg: 'svg' };
+  const endings = { ...asked, flat: 'flat.obj' };
+  for (const [format, word] of Object.entries(asked))
+    for (const hasGrid of [false, true])
+      assert.deepEqual(writeOptionsFor({ ...named([], hasGrid), tiles: 7 }, format), { format: word, name: `the_mesh.${endings[format]}`, gridMaterial: hasGrid && 7 }); // prettier-ignore
   for (const [format, plain, withGrid = plain] of [
     ['glb', 'the_mesh.glb'],
     ['zip', 'the_mesh.zip'],
@@ -79,6 +84,25 @@ test('missing files that a glTF names are listed, and matched by name where fold
   ]);
   assert.deepEqual(refused, ['../d.png']);
   assert.deepEqual(files.get('geo/a.bin'), bytes('a'));
+});
+
+test('of files that have the same name, that beside the document counts, wherever it lies and in whichever order they come', async () => {
+  for (const folder of ['', 'x/', 'x/y/', 'xy/'])
+    for (const uri of ['b.bin', 'sub/b.bin', './b.bin'])
+      for (const isFirst of [false, true]) {
+        const name = uri.replace('./', '');
+        const own = [`${folder}${name}`, bytes('own')];
+        const others = ['z/b.bin', 'x/z/b.bin', 'y/sub/b.bin'].map((one) => [one, bytes(one)]);
+        const all = isFirst ? [own, ...others] : [...others, own];
+        const main = `${folder}a.gltf`;
+        const files = new Map([[main, gltf({ buffers: [{ uri }] })], ...all]);
+        assert.deepEqual(await findMissing(files, main), { missing: [], refused: [] });
+        assert.equal(files.get(name), own[1], `${uri} of ${main}`);
+      }
+  // Elsewhere it is found by its last name alone, and by no part of that.
+  const files = new Map([['a.gltf', gltf({ buffers: [{ uri: 'b.bin' }, { uri: 'c/d.bin' }] })], ['e/ab.bin', bytes('x')], ['e/d.bin', bytes('d')]]); // prettier-ignore
+  const { missing } = await findMissing(files, 'a.gltf');
+  assert.deepEqual([missing, files.get('c/d.bin')], [[{ name: 'b.bin', isNeeded: true }], files.get('e/d.bin')]); // prettier-ignore
 });
 
 test('a document that is named otherwise asks for its files all the same; an OBJ has none', async () => {

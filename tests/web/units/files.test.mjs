@@ -199,8 +199,9 @@ test('of a large GLB on disk only the head is read for its JSON', async () => {
   let most = 0;
   class Watched extends Blob {
     slice(from, to) {
-      most = Math.max(most, to - from);
-      return super.slice(from, to);
+      const part = super.slice(from, to);
+      most = Math.max(most, part.size);
+      return part;
     }
     arrayBuffer() {
       throw new Error('all of it is read');
@@ -213,6 +214,43 @@ test('of a large GLB on disk only the head is read for its JSON', async () => {
     const cut = new Blob([glb.subarray(0, length)]);
     assert.deepEqual(await gltfOf(new Map([['cube.glb', cut]]), 'cube.glb'), {});
   }
+});
+
+test('of a GLB the JSON is read and no byte behind it, of another document all; of each only once', async () => {
+  let read = [];
+  class Counted extends Blob {
+    slice(...range) {
+      return new Counted([super.slice(...range)]);
+    }
+    async arrayBuffer() {
+      read.push(this.size);
+      return super.arrayBuffer();
+    }
+  }
+  const chunk = (type, content) => {
+    const head = Buffer.alloc(8);
+    head.writeUInt32LE(content.length);
+    head.write(type, 4, 'latin1');
+    return Buffer.concat([head, content]);
+  };
+  for (const length of [60, 64, 1000, 20_000])
+    for (const behind of [0, 4, 30_000]) {
+      const json = Buffer.from(JSON.stringify({ extras: 'x'.repeat(length - 13) }));
+      assert.equal(json.length, length);
+      const parts = [Buffer.from('glTF\x02\0\0\0----'), chunk('JSON', json), ...(behind ? [chunk('BIN\0', Buffer.alloc(behind))] : [])]; // prettier-ignore
+      for (const [content, all] of [
+        [parts, 20 + length],
+        [[json], length],
+      ]) {
+        const files = new Map([['a', new Counted(content)]]);
+        read = [];
+        const found = await gltfOf(files, 'a');
+        assert.equal(found.extras?.length, length - 13);
+        assert.deepEqual(read, [Math.min(64, files.get('a').size), all]);
+        assert.equal(await gltfOf(files, 'a'), found);
+        assert.equal(read.length, 2, 'not again');
+      }
+    }
 });
 
 /** Entries of a drop as browsers give them: a folder answers in parts, and with none at its end. */

@@ -66,8 +66,10 @@ test('a truncated or changed file is never accepted as complete', async () => {
   await assert.rejects(open('v 0 0 0\n'), /damaged or cut off/);
 });
 
-test('a decompression bomb is detected while it unpacks', async () => {
+test('a decompression bomb is detected while it unpacks, and the rest of it is not unpacked', async (t) => {
   const bomb = gzipSync(new Uint8Array(3e7));
+  const ended = t.mock.method(ReadableStreamDefaultReader.prototype, 'cancel');
+  t.after(() => assert.equal(ended.mock.callCount(), 2));
   await assert.rejects(open(bomb), /far more than it should/);
   await assert.rejects(open(bomb, packed), /far more than it should/);
 });

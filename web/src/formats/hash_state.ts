@@ -71,8 +71,9 @@ const tupleOf = ({ vertex, k, triangle }: Cone): number[] =>
 
 function conesOf(text: string | null): Cone[] | undefined {
   const tuples = tuplesOf(text, 3);
-  const isCone = ([vertex, k, triangle = 0]: number[]): boolean =>
-    vertex >= 0 && k >= 1 && triangle >= 0;
+  // There need not be a triangle.
+  const isCone = ([vertex, k, triangle]: number[]): boolean =>
+    vertex >= 0 && k >= 1 && !(triangle < 0);
   if (!tuples?.every(isCone)) return undefined;
   return tuples.map(([vertex, k, triangle]) => ({
     vertex,

@@ -44,7 +44,7 @@ class Writer {
   parts = [];
   #length = 0;
   view(bytes, more = {}) {
-    this.json.bufferViews.push({ buffer: 0, byteOffset: this.#length, byteLength: bytes.length, ...more }); // prettier-ignore
+    this.json.bufferViews.push({ buffer: 0, byteOffset: this.#length || undefined, byteLength: bytes.length, ...more }); // prettier-ignore
     this.parts.push(bytes);
     this.#length += bytes.length;
     return this.json.bufferViews.length - 1;
@@ -239,4 +239,19 @@ test('PLY: numbers of every type, in both orders of bytes and as text; other ele
       }
     }
   }
+});
+
+test('PLY as text: whatever blanks, ends of lines and comments are before, between and behind its numbers', () => {
+  const header = ['ply', 'format ascii 1.0', 'element vertex 3', 'property float x', 'property float y', 'property float z', 'element face 1', 'property list uchar int vertex_indices', 'property list uchar float texcoord', 'end_header']; // prettier-ignore
+  const rows = ['0 0 7', '1 0 0', '0 1 0', '3 2 0 1 6 .5 .25 1 0 0 1'];
+  const plain = readPly(new TextEncoder().encode(`${[...header, ...rows].join('\n')}\n`));
+  assert.deepEqual([[...plain.positions], [...plain.uv]], [[0, 1, 0, 0, 0, 7, 1, 0, 0], [0.5, 0.25, 1, 0, 0, 1]]); // prettier-ignore
+  for (const end of ['\n', '\r\n', '\r'])
+    for (const before of ['', ' ', '\t', `${end}${end}`])
+      for (const between of [end, ` ${end}  `, `${end}comment 5 6 7${end}`])
+        for (const behind of ['', end, `  ${end}`]) {
+          const head = `${header.join(end)}${end}`;
+          const text = `${head}${before}${rows.join(between)}${behind}`;
+          assert.deepEqual(readPly(new TextEncoder().encode(text)), plain, JSON.stringify(text.slice(head.length))); // prettier-ignore
+        }
 });

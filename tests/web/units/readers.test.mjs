@@ -255,3 +255,38 @@ test('PLY as text: whatever blanks, ends of lines and comments are before, betwe
           assert.deepEqual(readPly(new TextEncoder().encode(text)), plain, JSON.stringify(text.slice(head.length))); // prettier-ignore
         }
 });
+
+test('OBJ: faces name corners from either end, before or behind what they name; comments and the rest of a line are not read', () => {
+  const v = ['v 0 0 7', 'v 1 0 0 1 1 1', '\tv 0 1 0', 'v 1 1 -2e0'];
+  const vt = ['vt .5 .25', 'vt 1 0 0', 'vt 0.125', 'vt 0 1'];
+  const places = [[0, 0, 7], [1, 0, 0], [0, 1, 0], [1, 1, -2]]; // prettier-ignore
+  const coordinates = [[0.5, 0.25], [1, 0], [0.125, 0], [0, 1]]; // prettier-ignore
+  const corners = [0, 1, 2, 2, 1, 3];
+  const expected = [corners.flatMap((c) => places[c]), corners.flatMap((c) => coordinates[c])];
+  const fromStart = ['f 1/1 2/2 3/3', ' f 3/3/7 2/2/1 4/4/2'];
+  const fromEnd = ['f -4/-4 -3/-3 -2/-2', 'fo -2/-2 -3/-3 -1/-1'];
+  const orders = [[...v, ...vt, ...fromStart], [...vt, ...v, ...fromEnd], [...fromStart, ...v, ...vt], [vt[0], ...v, fromStart[0], ...vt.slice(1), fromStart[1]]]; // prettier-ignore
+  const others = [
+    '',
+    'vn 0 0 1',
+    'vp 5',
+    'o v 1 2 3',
+    '# v 5 5 5',
+    'usemtl f',
+    'l 1 2',
+    'f 1/1 2/2',
+    '#',
+  ];
+  const endings = ['', ' ', ' # 4/4', '#9'];
+  for (const lines of orders)
+    for (const [i, other] of others.entries())
+      for (const end of ['\n', '\r\n', '\r']) {
+        const text = lines.toSpliced(i, 0, other).map((line, at) => line + endings[(at + i) % 4]);
+        const read = readUv([{ name: 'a.obj', bytes: new TextEncoder().encode(text.join(end)) }], 0); // prettier-ignore
+        assert.deepEqual([[...read.positions], [...read.uv]], expected, JSON.stringify(text));
+        assert.equal(read.sizes, undefined);
+      }
+  // A corner that names no coordinate has none, also where coordinates come later.
+  const without = readUv([{ name: 'a.obj', bytes: new TextEncoder().encode([...v, 'f 1 2//1 3/', ...vt].join('\n')) }], 0); // prettier-ignore
+  assert.deepEqual([[...without.positions], [...without.uv]], [expected[0].slice(0, 9), Array(6).fill(NaN)]); // prettier-ignore
+});

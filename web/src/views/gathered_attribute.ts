@@ -87,7 +87,8 @@ export function cornerNormals(surface: Normals): BufferAttribute {
   const { triangles, creaseCorners } = surface;
   const [words, own] = [wordsOf(surface.packedNormals), wordsOf(surface.creaseNormals)];
   const gather: Gather = (first, last) => {
-    const out = new Int32Array(room(4 * (last - first)), 0, last - first);
+    const count = last - first;
+    const out = new Int32Array(room(4 * count), 0, count);
     for (let c = first; c < last; c++) out[c - first] = words[triangles[c]];
     const end = lowerBound(creaseCorners, last);
     for (let i = lowerBound(creaseCorners, first); i < end; i++) out[creaseCorners[i] - first] = own[i]; // prettier-ignore
@@ -99,7 +100,8 @@ export function cornerNormals(surface: Normals): BufferAttribute {
 /** Indices of the ends of every side of triangles whose corners are numbered one after the other. */
 export function triangleSides(corners: number): BufferAttribute {
   const gather: Gather = (first, last) => {
-    const out = new Uint32Array(room(4 * (last - first)), 0, last - first);
+    const count = last - first;
+    const out = new Uint32Array(room(4 * count), 0, count);
     for (let i = first; i < last; i++) {
       const c = i >> 1;
       const next = c % 3 === 2 ? c - 2 : c + 1;

@@ -31,7 +31,7 @@ const word = String.raw`[\w.]+(?:\[\w+\])?`;
 const notAStatement = String.raw`(?!return|const|auto|using|case|break|continue|else|if|for|while|do|switch|default|throw|static|struct|class|enum|public|private|template|HGP_CHECK)`; // prettier-ignore
 
 /** Functions whose arguments may be swapped, which is no fault. */
-export const isSymmetric = (name) => /^(?:min|max|hypot|gcd|swap)$/.test(name);
+export const isSymmetric = (name) => /^(?:min|max|hypot|gcd|swap|same[A-Z]\w*)$/.test(name);
 
 /** Each kind: where it applies, in code without comments and strings, and what stands there afterwards. */
 const kinds = {

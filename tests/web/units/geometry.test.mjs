@@ -5,6 +5,7 @@ import { existsSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { loopSegments } from '../../../web/src/services/geometry/handle_loops.ts';
+import { randomFrom } from '../../mutation/draw.mjs';
 import { drawThumbnail } from '../../../web/src/services/geometry/thumbnail.ts';
 import { bumpyDisk } from '../../support/disk.mjs';
 import { cubeMesh, toObj } from '../../support/meshes.mjs';
@@ -147,4 +148,39 @@ test('a thumbnail shows the centred shape, nearer parts in front, with the check
     drawThumbnail({ cornerPositions: [NaN, NaN, NaN] }, 8).some((x) => x > 0),
     false,
   );
+});
+
+test('a thumbnail covers what its triangles cover as the camera first sees them, and no pixel beside them', () => {
+  const random = randomFrom(15);
+  const unit = (v) => v.map((x) => x / Math.hypot(...v));
+  const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
+  const toEye = unit([0.5, 0.38, 0.78]);
+  const right = unit(cross([0, 1, 0], toEye));
+  const up = cross(toEye, right);
+  const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+  for (let round = 0; round < 40; round++) {
+    const size = 12 + round;
+    const count = 1 + (round % 3);
+    const far = 10 ** ((round % 7) - 3);
+    const points = Array.from({ length: 3 * count }, () => [0, 1, 2].map(() => far * (random() - 0.3))); // prettier-ignore
+    const seen = points.map((p) => [dot(p, right), -dot(p, up)]);
+    const [[left, top], [end, bottom]] = [Math.min, Math.max].map((most) => [0, 1].map((k) => most(...seen.map((p) => p[k])))); // prettier-ignore
+    const scale = (0.92 * size) / Math.max(end - left, bottom - top);
+    const at = seen.map(([x, y]) => [size / 2 + scale * (x - (left + end) / 2), size / 2 + scale * (y - (top + bottom) / 2)]); // prettier-ignore
+    const picture = drawThumbnail({ cornerPositions: points.flat() }, size);
+    assert.equal(picture.length, 4 * size * size);
+    for (let y = 0; y < size; y++)
+      for (let x = 0; x < size; x++) {
+        // How far the middle of the pixel is inside of each triangle, in pixels.
+        const inside = Array.from({ length: count }, (_, t) => {
+          const [a, b, c] = at.slice(3 * t, 3 * t + 3);
+          const side = ([px, py], [qx, qy]) => ((qx - px) * (y + 0.5 - py) - (qy - py) * (x + 0.5 - px)) / Math.hypot(qx - px, qy - py); // prettier-ignore
+          const sides = [side(a, b), side(b, c), side(c, a)];
+          return Math.max(Math.min(...sides), Math.min(...sides.map((s) => -s)));
+        });
+        const most = Math.max(...inside);
+        if (Math.abs(most) < 1e-3) continue;
+        assert.equal(picture[4 * (size * y + x) + 3], most > 0 ? 255 : 0, `${round}: ${x}, ${y}`);
+      }
+  }
 });

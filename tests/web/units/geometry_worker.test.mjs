@@ -112,6 +112,9 @@ test('of a map on the same mesh only the map is sent back, and of one on another
       const moved = positions.with(i, positions[i] + 1e-9);
       assert.deepEqual(await mapOn({ positions: moved }), [moved, undefined]);
     }
+    // As is one vertex more, which no triangle has.
+    const longer = Float64Array.from([...positions, 1, 2, 3]);
+    assert.deepEqual(await mapOn({ positions: longer }), [longer, undefined]);
     const [a, b, c] = triangles;
     const turned = triangles.slice();
     turned.set([b, c, a]);
@@ -163,6 +166,7 @@ test('a mesh beside others has the corners and normals of its triangles, a pictu
       assert.deepEqual([...cornerPositions.subarray(3 * c, 3 * c + 3)], mesh.vertices[v].map(Math.fround)); // prettier-ignore
       const n = [0, 1, 2].map((i) => cornerNormals[4 * c + i]);
       assert.ok(Math.abs(Math.hypot(...n) - 127) < 2, 'of length one');
+      assert.equal(cornerNormals[4 * c + 3], 0, 'what fills four bytes');
       assert.ok(n.reduce((sum, x, i) => sum + x * mesh.vertices[v][i], 0) > 0, 'outwards');
     });
     const { result: turned } = await ask('part', arrays(), [0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 0, 0, 0, 0, 1]); // prettier-ignore
@@ -232,4 +236,6 @@ test('what is forgotten is not known any more, and the rest is', () =>
     const { result: dense } = await ask('crosses', 22, 16, 4);
     assert.ok(dense.inMap.length > 2 * before.inMap.length);
     assert.equal(dense.inMap.length, dense.onSurface.length);
+    assert.deepEqual((await ask('crosses', 22, 8, 4)).result, before, 'as often as it changes');
+    assert.deepEqual((await ask('crosses', 22, 16, 4)).result, dense);
   }));

@@ -7,6 +7,7 @@ import { BufferAttribute, BufferGeometry, Color, Group, Matrix4, Mesh, Vector3 }
 import { MeshBVH } from 'three-mesh-bvh';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { ModelView } from '../../../web/src/views/model_view.ts';
+import { UvView } from '../../../web/src/views/uv_view.ts';
 import { Canvas, drawsIn, withCanvases } from './canvases.mjs';
 import { cubeSolution, cubeSurface, look, mesh } from './cube_view.mjs';
 
@@ -36,6 +37,19 @@ const placesOf = (markers) => {
   const { array, count } = markers.children[0].geometry.getAttribute('position');
   return Array.from({ length: count / 4 }, (_, m) => [...array.subarray(12 * m, 12 * m + 3)]);
 };
+
+test('a view that has no model yet shows nothing of one, and draws nothing but its ground', () =>
+  withCanvases(({ rest }) => {
+    for (const View of [ModelView, UvView]) {
+      const canvas = new Canvas(600, 400);
+      const { scene } = new View(canvas);
+      rest();
+      assert.equal(drawsIn(canvas.taken()), 0, View.name);
+      const own = scene.children.filter(({ isMesh, isLine }) => isMesh || isLine);
+      assert.ok(own.length > 0);
+      assert.deepEqual(own.filter(({ visible }) => visible), [], View.name); // prettier-ignore
+    }
+  }));
 
 test('a pointer finds the front triangle and its nearest corner, wherever the camera is', () =>
   withCanvases(({ rest }) => {

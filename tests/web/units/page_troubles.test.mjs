@@ -489,10 +489,11 @@ test('a geometry worker that ends fails what it was asked, and the next call sta
   workers[0].answer({ call: a, error: 'no' });
   await assert.rejects(one, /^Error: no$/);
   const surface = client.surface({}, {}, []);
+  const map = client.analyse({ id: 1 }, {}, {}, [], {});
   const lost = client.call('opposite', [1, 2]);
   workers[0].listeners.error({ message: 'out of memory' });
   await assert.rejects(lost, /out of memory/);
-  await assert.rejects(surface);
+  for (const call of [surface, map]) await assert.rejects(call, /out of memory/);
   assert.equal(workers[0].isEnded, true);
   client.keepOnly(new Set(), new Set());
   assert.equal(workers.length, 1, 'nothing is left to forget');

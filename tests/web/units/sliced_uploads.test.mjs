@@ -7,6 +7,7 @@ import { SlicedUploads } from '../../../web/src/views/sliced_uploads.ts';
 function context(card = { isBusy: false }) {
   const bound = new Map();
   const writes = [];
+  const fences = new Set();
   const gl = {
     ...{
       ARRAY_BUFFER: 1,
@@ -15,10 +16,15 @@ function context(card = { isBusy: false }) {
       SIGNALED: 4,
       COPY_WRITE_BUFFER: 5,
     },
-    fenceSync: () => ({}),
-    getSyncParameter: () => (card.isBusy ? 5 : 4),
-    deleteSync: () => undefined,
-    flush: () => undefined,
+    // A fence is passed when what is before it has been sent on; until it is deleted it is kept.
+    fenceSync: () => {
+      const fence = { isSent: false };
+      fences.add(fence);
+      return fence;
+    },
+    getSyncParameter: (fence) => (card.isBusy || !fence.isSent ? 5 : 4),
+    deleteSync: (fence) => assert.ok(fences.delete(fence)),
+    flush: () => fences.forEach((fence) => (fence.isSent = true)),
     bindBuffer: (target, buffer) => bound.set(target, buffer),
     deleteBuffer: () => undefined,
     bufferData: (target, data) => {
@@ -29,7 +35,7 @@ function context(card = { isBusy: false }) {
       bound.get(target).bytes.set(data, at);
     },
   };
-  return { gl, writes, bound: (target = 1) => bound.get(target) };
+  return { gl, writes, fences, bound: (target = 1) => bound.get(target) };
 }
 const megabytes = (n, value) => new Uint8Array(n * 2 ** 20 + 3).fill(value);
 
@@ -54,6 +60,24 @@ test('small arrays are uploaded at once, large ones completely in slices', () =>
   assert.equal(bound(), small); // as it was
   assert.deepEqual(large.bytes, megabytes(9, 8));
   assert.ok(writes.every((length) => length <= 2 ** 20));
+});
+
+test('what was sent is passed on at once, and of all marks behind it at most one is kept', () => {
+  const { gl, fences } = context();
+  const uploads = new SlicedUploads(gl);
+  for (let round = 0; round < 3; round++) {
+    gl.bindBuffer(1, {});
+    gl.bufferData(1, megabytes(9, round), 0);
+    while (uploads.isBusy) {
+      uploads.step();
+      assert.deepEqual([...fences], [{ isSent: true }]);
+    }
+    assert.equal(uploads.isAtRest(), true);
+    assert.equal(fences.size, 0);
+    assert.equal(uploads.isAtRest(), false, 'it is asked anew');
+    assert.deepEqual([...fences], [{ isSent: true }]);
+    assert.equal(uploads.isAtRest(), true);
+  }
 });
 
 test('values that are gathered are never there as a whole, and arrive completely', () => {

@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Vector3 } from 'three';
+import { ConeMarkers } from '../../../web/src/views/cone_markers.ts';
 import { flatCrosses } from '../../../web/src/services/geometry/cross_lines.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { withCanvases } from './canvases.mjs';
@@ -145,6 +146,11 @@ test('a cone is marked at each of its images in the map, and under the hand wher
     const seen = () => placesOf(markers).map(([x, y]) => `${x},${y}`);
     assert.deepEqual(seen().sort(), expected.sort());
     for (const [, , z] of placesOf(markers)) assert.ok(z > 0, 'above the map');
+    // Small, and translucent, as one cone has several images; in the 3D view they are neither.
+    const { pixels, opacity } = markers.children[0].material.uniforms;
+    const usual = new ConeMarkers(false).children[0].material.uniforms;
+    assert.ok(pixels.value > 0 && pixels.value < usual.pixels.value);
+    assert.ok(opacity.value > 0.5 && opacity.value < 1 && usual.opacity.value === 1);
     assert.ok(images([0]).length === 3, 'three faces meet at a corner');
     const sizes = () => {
       const look = markers.children[0].geometry.getAttribute('look').array;

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { BufferAttribute, BufferGeometry, Color, LinearMipmapLinearFilter, Matrix3, Matrix4, Mesh, PerspectiveCamera, Ray, RepeatWrapping, SRGBColorSpace, Vector3 } from 'three'; // prettier-ignore
 import { MeshBVH } from 'three-mesh-bvh';
+import { oneOfEach } from '../../../web/src/views/shader_warmup.ts';
 import { randomFrom } from '../../mutation/draw.mjs';
 import { cubeMesh } from '../../support/meshes.mjs';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
@@ -868,3 +869,14 @@ test('an image of the user repeats in both directions, in its colours, blurred b
   });
   assert.deepEqual([pictures, freed], [[3, 5], [1, 3]]); // prettier-ignore
 }); // prettier-ignore
+
+test('what warms shaders up has one object of each kind that its view draws, the ground only where there is one', () => {
+  for (const isLit of [false, true]) {
+    const kinds = oneOfEach(isLit).map((one) => one.constructor.name);
+    assert.deepEqual([...new Set(kinds)], ['Mesh', 'Lines', 'Wire', 'ConeMarkers', ...(isLit ? ['ContactShadow'] : [])]); // prettier-ignore
+    const [bare, mapped] = oneOfEach(isLit);
+    assert.deepEqual([bare.material.defines.PATTERN, mapped.material.defines.PATTERN > 0], [0, true]); // prettier-ignore
+    assert.equal(bare.geometry.getAttribute('normal') !== undefined, isLit);
+    for (const one of oneOfEach(isLit)) assert.equal(one.visible, true, 'what is hidden warms nothing up'); // prettier-ignore
+  }
+});

@@ -51,7 +51,8 @@ type Kept = Pick<
 const surfaces = new Map<number, Kept>();
 const maps = new Map<number, KnownMap>();
 const mirrors = new WeakMap<Kept, Mirror>();
-let lastSamples: { surface: number; spacing: number; samples: Sample[] } | undefined;
+/** Those of one surface; they go with it. */
+let lastSamples = new WeakMap<Kept, { spacing: number; samples: Sample[] }>();
 
 function surfaceOf(id: number): Kept {
   const found = surfaces.get(id);
@@ -133,11 +134,12 @@ function packedAtCorners(arrays: SurfaceArrays): Int8Array {
 const samplesOn = ({ places: positions, triangles }: Kept, spacing: number): Sample[] =>
   poissonSamples({ positions, triangles }, spacing);
 
-function samplesOf(id: number, spacing: number): Sample[] {
-  if (lastSamples?.surface !== id || lastSamples.spacing !== spacing) {
-    lastSamples = { surface: id, spacing, samples: samplesOn(surfaceOf(id), spacing) };
-  }
-  return lastSamples.samples;
+function samplesOf(surface: Kept, spacing: number): Sample[] {
+  const known = lastSamples.get(surface);
+  if (known?.spacing === spacing) return known.samples;
+  const samples = samplesOn(surface, spacing);
+  lastSamples = new WeakMap([[surface, { spacing, samples }]]);
+  return samples;
 }
 
 /** A tree over triangles; without `triangles`, three positions are one. */
@@ -206,7 +208,7 @@ const calls: GeometryCalls = {
     const surface = surfaceOf(surfaceId);
     const spacing = spacingOf(surface, tiles);
     const seen = (spacing * 2 * surface.radius) / surface.diagonal; // as displayed
-    const samples = samplesOf(surfaceId, seen);
+    const samples = samplesOf(surface, seen);
     const arm = 0.42 * spacing * Math.sqrt(distortion.uvArea / distortion.surfaceArea);
     const { places: positions, triangles } = surface;
     const input = { positions, triangles, cornerUv, samples, arm, spacing: seen, q };
@@ -241,7 +243,6 @@ const calls: GeometryCalls = {
   forget(oldSurfaces, oldMaps) {
     for (const id of oldSurfaces) surfaces.delete(id);
     for (const id of oldMaps) maps.delete(id);
-    if (lastSamples && !surfaces.has(lastSamples.surface)) lastSamples = undefined;
   },
 };
 

@@ -21,14 +21,14 @@ export interface Hit {
 /** The corner of a triangle that is nearest to the pointer. */
 export function nearestOf(
   triangle: number,
-  corners: Iterable<number>,
-  pixelsTo: (vertex: number) => number,
+  corners: Uint32Array,
+  pixelsTo: (vertex: number, corner: number) => number,
 ): Hit {
   let best: Hit = { triangle, vertex: -1, pixels: Infinity };
-  for (const vertex of corners) {
-    const pixels = pixelsTo(vertex);
+  corners.forEach((vertex, corner) => {
+    const pixels = pixelsTo(vertex, corner);
     if (pixels < best.pixels) best = { ...best, vertex, pixels };
-  }
+  });
   return best;
 }
 

@@ -181,7 +181,7 @@ export async function loadGltfScene(source: Source): Promise<OwnScene> {
       await smooth(object);
       const own = matrices.map((matrix) => atRest(object, new Matrix4().fromArray(matrix)));
       instances.set(mesh, own);
-      if (own.length > 0) group.add(...own);
+      for (const one of own) group.add(one);
     }
     return { group, instances };
   } finally {

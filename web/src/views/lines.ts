@@ -155,7 +155,6 @@ export class Lines extends Mesh<BufferGeometry, ShaderMaterial> {
   set(points: ArrayLike<number>, colours: Color | Color[]): void {
     this.geometry.dispose();
     this.visible = points.length > 0;
-    if (!this.visible) return;
     const isTinted = Array.isArray(colours);
     this.geometry = geometryOf(points, isTinted ? colours : undefined);
     this.material.uniforms.isTinted.value = isTinted;

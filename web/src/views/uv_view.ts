@@ -8,7 +8,7 @@ import type { LiveMap } from '../model/live';
 import type { Prescription } from '../model/prescription';
 import type { SerializedBvh } from '../model/scene';
 import type { Look, Solution, Surface } from '../model/types';
-import { CanvasView, type Hit } from './canvas_view';
+import { CanvasView, nearestOf, type Hit } from './canvas_view';
 import { ConeMarkers, type Marker } from './cone_markers';
 import { boxOf } from '../services/geometry/distortion';
 import { bvhAtOnce, bvhFrom, flatGeometry, setTint } from './corner_geometry';
@@ -88,7 +88,7 @@ export class UvView extends CanvasView {
   #lookAt(x: number, y: number, reach: number): void {
     this.camera.zoom = 1 / reach;
     this.camera.position.set(x, y, eyeHeight);
-    this.controls.target.set(x, y, 0);
+    Object.assign(this.controls.target, { x, y });
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();
@@ -275,13 +275,10 @@ export class UvView extends CanvasView {
     const { triangles } = solution.result;
     const uv = this.#mesh.geometry.getAttribute('uv').array;
     const perPixel = (2 * this.#reach) / this.#size.height;
-    let best: Hit = { triangle: hit.faceIndex, vertex: -1, pixels: Infinity };
-    for (let k = 0; k < 3; k++) {
-      const i = 3 * hit.faceIndex + k;
-      const pixels = Math.hypot(uv[2 * i] - at.x, uv[2 * i + 1] - at.y) / perPixel;
-      const vertex = triangles[3 * hit.faceIndex + k];
-      if (pixels < best.pixels) best = { ...best, vertex, pixels };
-    }
-    return best;
+    const first = 3 * hit.faceIndex;
+    return nearestOf(hit.faceIndex, triangles.subarray(first, first + 3), (_, corner) => {
+      const i = 2 * (first + corner);
+      return Math.hypot(uv[i] - at.x, uv[i + 1] - at.y) / perPixel;
+    });
   }
 }

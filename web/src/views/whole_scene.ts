@@ -99,7 +99,7 @@ export class WholeScene extends Group {
         one.userData = { mesh, instance };
         return one;
       });
-      if (instances.length > 0) this.add(...instances);
+      for (const one of instances) this.add(one);
       return { mesh, isPlaced, geometry, tree: bvhFrom(tree, geometry), material, instances };
     });
     this.updateMatrixWorld(true);

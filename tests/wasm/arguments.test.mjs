@@ -192,6 +192,38 @@ test('the core says in the thread that calls it what is wrong with cones, featur
   assert.equal(model.info.usable, true);
 });
 
+test('the core looks at every option of every call in the thread that calls it, and at names that are none', async () => {
+  const core = await createCore();
+  const source = asFiles('disk.obj', disk);
+  const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
+  const model = core.load(source);
+  const map = model.parametrize({ boundary: 'convex' });
+  const calls = {
+    load: (some) => core.load(source, some),
+    loadMesh: (some) => core.loadMesh(mesh, some),
+    suggestCones: (some) => model.suggestCones(some),
+    parametrize: (some) => model.parametrize(some),
+    verify: (some) => model.verify(some),
+    write: (some) => map.write(some),
+    quads: (some) => map.quads(some),
+    listFeatures: (some) => model.listFeatures({ rims: true }, some),
+    parametrizeFile: (some) => core.parametrizeFile(source, some),
+    combine: (some) => core.combine([map], some),
+  };
+  const refused = (call, message) =>
+    assert.throws(call, { name: 'HgpError', code: 'usage', message });
+  for (const [call, act] of Object.entries(calls)) {
+    for (const name of Object.keys(optionsOf[call])) refused(() => act({ [name]: [] }), new RegExp(`\\b${name} is .*an array`)); // prettier-ignore
+    refused(() => act({ noSuchOption: 1 }), /noSuchOption/);
+    for (const bad of [null, 5, 'text']) assert.throws(() => act(bad), { code: 'usage' }, call);
+  }
+  const all = [...Object.keys(optionsOf.loadMesh), ...Object.keys(optionsOf.parametrize)];
+  for (const name of all) refused(() => core.parametrizeMesh({ ...mesh, [name]: [] }), /an array/);
+  // A usable model is left, and what was refused is not remembered.
+  assert.equal(model.parametrize({ boundary: 'convex' }).certificate.certified, true);
+  assert.equal(map.write().certified, true);
+});
+
 test('the options that are checked are those that are declared, and those that the core reads', () => {
   const types = readFileSync(path.join(built, 'lib/options.d.ts'), 'utf8');
   const ofClient = readFileSync(path.join(built, 'lib/client.d.ts'), 'utf8');

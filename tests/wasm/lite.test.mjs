@@ -11,6 +11,7 @@ import { cubeMesh } from '../support/meshes.mjs';
 import { built, HgpError, withClient } from './support.mjs';
 
 const { createLite } = await import(path.join(built, 'node/lite.js'));
+const { optionsOf } = await import(path.join(built, 'lib/check_options.js'));
 const { parametrizeGeometry } = await import(path.join(built, 'three.js'));
 const lite = await createLite();
 
@@ -180,6 +181,10 @@ test('errors have codes, and what only the whole package does is refused', () =>
     });
   refused(() => lite.parametrizeMesh({ ...cube, Q: 4 }), 'usage', /did you mean 'q'/);
   refused(() => lite.parametrizeMesh({ ...cube, grid: {} }), 'usage', /no option 'grid'/);
+  const mapped = { ...cube, uv: [0, 0], cornerToUv: [...cube.triangles].fill(0) };
+  for (const [call, mesh] of Object.entries({ parametrizeMesh: cube, verifyMesh: mapped }))
+    for (const name of Object.keys(optionsOf[`lite.${call}`]))
+      refused(() => lite[call]({ ...mesh, [name]: [] }), 'usage', new RegExp(`\\b${name} is .*an array`)); // prettier-ignore
   refused(() => lite.parametrizeMesh({ ...cube, q: 65 }), 'usage', /from 1 to 64/);
   const handles = { q: 4, cones: [], handles: [] };
   refused(() => lite.parametrizeMesh({ ...cube, cones: handles }), 'usage', /handles need hgp/);

@@ -328,6 +328,8 @@ test('the model of the start page is centred, fills its canvas, turns once in fo
     const middle = first.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(first.length);
     assert.ok(middle.length() < 1e-5, 'turned around its own centre');
     assert.ok(camera.position.y > 0.3 * camera.position.z && camera.position.x === 0);
+    const { x, y } = new Vector3().project(camera);
+    assert.ok(Math.hypot(x, y) < 1e-9, 'its centre is in the middle of the picture');
     const shape = () => Number((camera.projectionMatrix.elements[5] / camera.projectionMatrix.elements[0]).toFixed(9)); // prettier-ignore
     assert.deepEqual([camera.aspect, shape()], [1.5, 1.5]);
     let most = 0;

@@ -217,7 +217,7 @@ test('a finger that rests places a cone; one that moves or is lifted early does 
     assert.equal(count(), 1);
     point(model, 'pointerup', at, touch);
     await settle();
-    assert.equal(count(), 1);
+    assert.deepEqual([count(), doc.selected], [1, 0], 'lifting it is no tap any more');
     const other = onModel(
       page,
       mesh.vertices.findLastIndex((_, i) => isInFront(page, i)),

@@ -165,6 +165,7 @@ class SumFlow {
 
   static std::vector<Where> placesOf(const std::vector<VertexId>& vertices) {
     std::vector<Where> where;
+    where.reserve(vertices.size());
     for (VertexId v : vertices) where.push_back({Where::Kind::kVertex, v.i});
     return where;
   }

@@ -296,11 +296,6 @@ std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topolog
   return noteOn(question, *found);
 }
 
-void sortCones(std::vector<ConePoint>& cones) {
-  std::sort(cones.begin(), cones.end(),
-            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
-}
-
 HolonomySpec toSpec(const CompleteSpec& spec) {
   HolonomySpec out{spec.q, spec.cones, {}, {}, spec.features, spec.corners};
   out.turning.assign(spec.turning.begin(), spec.turning.end());

@@ -2,6 +2,7 @@
 // Role: q, C, k_i and l_j of [BCW17 §5.2], checked against Lemma 6.2 before anything is solved.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,10 @@ struct ConePoint {
   int k = 0;
 };
 /// By vertex, ascending.
-void sortCones(std::vector<ConePoint>& cones);
+inline void sortCones(std::vector<ConePoint>& cones) {
+  std::sort(cones.begin(), cones.end(),
+            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+}
 
 /// The prescription for one connected surface. Turnings and handles that are empty are completed from the smoothest
 /// field with these cones (prescribedField).

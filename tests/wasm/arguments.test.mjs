@@ -121,6 +121,16 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
     });
   }));
 
+/** The calls that a model and its map have in any thread. */
+const callsOf = (model, map) => ({
+  suggestCones: (some) => model.suggestCones(some),
+  parametrize: (some) => model.parametrize(some),
+  verify: (some) => model.verify(some),
+  write: (some) => map.write(some),
+  quads: (some) => map.quads(some),
+  listFeatures: (some) => model.listFeatures({ rims: true }, some),
+});
+
 test('every option of every call is looked at where it is given: a list is none of them', () =>
   withClient(async (client) => {
     const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
@@ -129,12 +139,7 @@ test('every option of every call is looked at where it is given: a list is none 
     const calls = {
       load: (some) => client.load(disk, { name: 'disk.obj', ...some }),
       loadMesh: (some) => client.loadMesh({ ...mesh, ...some }),
-      suggestCones: (some) => model.suggestCones(some),
-      parametrize: (some) => model.parametrize(some),
-      verify: (some) => model.verify(some),
-      write: (some) => map.write(some),
-      quads: (some) => map.quads(some),
-      listFeatures: (some) => model.listFeatures({ rims: true }, some),
+      ...callsOf(model, map),
       parametrizeFile: (some) => client.parametrizeFile(disk, { name: 'disk.obj', ...some }),
       combine: (some) => client.combine([map], some),
     };
@@ -201,12 +206,7 @@ test('the core looks at every option of every call in the thread that calls it, 
   const calls = {
     load: (some) => core.load(source, some),
     loadMesh: (some) => core.loadMesh(mesh, some),
-    suggestCones: (some) => model.suggestCones(some),
-    parametrize: (some) => model.parametrize(some),
-    verify: (some) => model.verify(some),
-    write: (some) => map.write(some),
-    quads: (some) => map.quads(some),
-    listFeatures: (some) => model.listFeatures({ rims: true }, some),
+    ...callsOf(model, map),
     parametrizeFile: (some) => core.parametrizeFile(source, some),
     combine: (some) => core.combine([map], some),
   };

@@ -53,8 +53,8 @@ class SumFlow {
     return Failure{
         ErrorCode::kPrescription, "features",
         formatText("%s not possible along these features: the feature edges at the first of these "
-                   "vertices leave %d to %d quarter turns between them, not %d. Prescribe k within "
-                   "these bounds, or leave out the cones or the features.",
+                   "vertices leave at least %d and at most %d quarter turns between them, not %d. "
+                   "Prescribe k within these bounds, or leave out the cones or the features.",
                    counted(beyond.size(), "prescribed cone is", "prescribed cones are").c_str(),
                    low, high, givenAround(field_, v)),
         placesOf(beyond)};
@@ -111,7 +111,7 @@ class SumFlow {
       triangles += paths_.isReached(field_.sectors.node(mesh_, TriMesh::halfedge(f, 0))) ? 1 : 0;
     int sectors = 0, sum = 0, bound = 0;
     for (VertexId v : mesh_.vertices()) {
-      bound += boundAt(v, units);
+      bound += reachedBoundAt(v, units);
       for (const int n : graph_.sectorsAt(v)) {
         if (!paths_.isReached(n)) continue;
         ++sectors;
@@ -121,18 +121,19 @@ class SumFlow {
     HGP_CHECK((sum - bound) * units < 0, "patches with corners of %d contradict %d", sum, bound);
     return Failure{
         ErrorCode::kPrescription, "features",
-        formatText("The prescribed cones are not possible along these features: %d triangles "
-                   "between them turn by %d° along their boundary, but with these cones on it by "
-                   "at %s %d°. Possible is k = %s at %s instead. Prescribe that, or leave out the "
-                   "cones or the features.",
-                   triangles, (2 * sectors - sum) * 90, units < 0 ? "least" : "most",
-                   (2 * sectors - bound) * 90, listOf(missed).c_str(),
-                   counted(missed.size(), "place").c_str()),
+        formatText(
+            "The prescribed cones are not possible along these features: a region of %d "
+            "triangles between them turns by %d° along its boundary, but with these cones on "
+            "it by at %s %d°. Possible is k = %s at %s instead. Prescribe that, or leave out the "
+            "cones or the features.",
+            triangles, (2 * sectors - sum) * 90, units < 0 ? "least" : "most",
+            (2 * sectors - bound) * 90, listOf(missed).c_str(),
+            counted(missed.size(), "place").c_str()),
         placesOf(missed)};
   }
 
   /// The largest (−1) or smallest sum (1) that the sectors of a vertex in the reached patches can have as prescribed.
-  int boundAt(VertexId v, int units) const {
+  int reachedBoundAt(VertexId v, int units) const {
     const auto extreme = [&](int n, bool isLargest) {
       return isLargest ? graph_.largest(n) : graph_.lowest(n);
     };

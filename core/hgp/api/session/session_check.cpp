@@ -31,7 +31,7 @@ Result<std::vector<std::optional<Failure>>> refusedAlong(const Model& model,
     SplitModel split(model, request);
     const Status done = split.split(splits, isOpen);
     if (!done && splits == Splits::kCrowded) return done.error();
-    if (!done) break;
+    if (!done || (splits != Splits::kCrowded && isTooLargeToSplit(*split.model))) break;
     for (std::size_t p = 0; p < isOpen.size(); ++p) {
       if (!isOpen[p]) continue;
       const ModelComponent& component = split.model->components[p];

@@ -110,7 +110,7 @@ Status Session::State::solveSplit(const Request& request, const SolveOptions& op
     const Status split = made.split(splits, best.isOpen);
     const std::size_t size = made.model->source().mesh.triangles.size();
     if (!split && first && best.certified < 0) first = split.error();
-    const bool isTooLarge = splits != Splits::kCrowded && size > kLargestRefinement;
+    const bool isTooLarge = splits != Splits::kCrowded && isTooLargeToSplit(*made.model);
     if (!split || !made.refined || size == last || isTooLarge) continue;
     last = size;
     RunRecord again;

@@ -77,6 +77,10 @@ std::vector<EdgeId> acrossOf(const ModelComponent& component, const ComponentReq
 
 }  // namespace
 
+bool isTooLargeToSplit(const Model& split) {
+  return split.source().mesh.triangles.size() > std::size_t{kLargestRefinement};
+}
+
 bool isCrowded(const Model& model, const Request& request) {
   if (crossesPlane(model, request)) return true;
   for (std::size_t p = 0; p < model.components.size(); ++p)

@@ -33,6 +33,9 @@ struct SplitModel {
   Status take(RefinedModel next);
 };
 
+/// Whether a run takes no further splits of a surface: it has more than kLargestRefinement triangles.
+bool isTooLargeToSplit(const Model& split);
+
 /// Whether a triangle has three feature edges, or an edge crosses the plane of a symmetric map.
 bool isCrowded(const Model& model, const Request& request);
 

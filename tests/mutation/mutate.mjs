@@ -78,7 +78,7 @@ for (const fault of isDrawn ? [] : chosen) {
 const programs = [...new Set(chosen.flatMap((fault) => fault.programs))];
 // A program of yesterday fails without any fault, and every fault would count as caught.
 if (isDrawn) {
-  const targets = programs.map((program) => `tests_${program}`);
+  const targets = programs.map((program) => (program.startsWith('node:') ? 'hgp' : `tests_${program}`)); // prettier-ignore
   const call = ['--build', '--preset', options.preset, '--target', ...targets];
   execFileSync('cmake', call, { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
 }

@@ -14,7 +14,7 @@ const untimed = '-Obj.ReadingAndWritingGrowsWithTheFile';
 
 /** The tests under Node that run hgp, without those that measure time or memory or need other builds. */
 const nodeSuites = {
-  'node:cli': ['cli', 'also', 'compress', 'files', 'harmonic', 'measures', 'quads', 'repairs', 'writers'].map((name) => `cli/${name}`), // prettier-ignore
+  'node:cli': ['cli', 'also', 'compress', 'features_cones', 'files', 'harmonic', 'measures', 'quads', 'repairs', 'symmetric', 'symmetric_cones', 'writers'].map((name) => `cli/${name}`), // prettier-ignore
 };
 
 /** @param {string} root  of the checkout @param {string} preset  whose build is there */

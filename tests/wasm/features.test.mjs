@@ -32,6 +32,28 @@ test('creases are straight lines, and listed as files of every format', () =>
     assert.equal(verified.certified, true);
   }));
 
+test('cones of one’s own go with creases, and check says before whether a field has them', () =>
+  withClient(async (client) => {
+    const model = await client.load(cube, { name: 'cube.obj' });
+    const features = { creases: 30 };
+    const { cones: chosen } = await model.parametrize({ features });
+    const own = { q: chosen.q, cones: chosen.cones };
+    const isPossible = async (cones) => {
+      const { valid, components } = await model.check({ ...cones, features });
+      assert.equal(valid, components.every(({ error }) => !error)); // prettier-ignore
+      return valid;
+    };
+    assert.equal(await isPossible(own), true);
+    const map = await model.parametrize({ cones: own, features });
+    assert.equal(map.certificate.certified, true);
+    assert.deepEqual(map.cones.cones.map(({ vertex, k }) => [vertex, k]), own.cones.map(({ vertex, k }) => [vertex, k])); // prettier-ignore
+    // Three creases meet at a corner, with a quarter turn at least between any two.
+    const sharp = { ...own, cones: own.cones.map((cone, i) => ({ ...cone, k: [2, 4][i] ?? cone.k })) }; // prettier-ignore
+    assert.equal(await isPossible(sharp), false);
+    assert.equal((await model.check(sharp)).valid, true, 'without creases there is a map');
+    await assert.rejects(model.parametrize({ cones: sharp, features }), { code: 'prescription' });
+  }));
+
 test('creases work for whole files, too', async () => {
   const core = await createCore();
   const options = { features: { creases: 30 } };

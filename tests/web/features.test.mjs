@@ -20,7 +20,7 @@ import {
   violations,
 } from './support.mjs';
 
-const it = useBrowser();
+const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
 const { test } = it;
 const note = () => it.page.innerText('#features-note');
 
@@ -125,4 +125,82 @@ test('rims are offered where there are some, and a click on one chooses them', a
   await openFiles(it, { 'cube.obj': toObj(cubeMesh(4)) });
   assert.equal(await page.locator('#follow-rims').count(), 0);
   assert.equal(await page.isChecked('#follow-creases'), false);
+});
+
+const cones = () =>
+  it.page.locator('tr[data-cone]').evaluateAll(
+    (rows) =>
+    rows.map((row) => `${row.querySelector('td').innerText} ${row.querySelector('input').value}`).sort(), // prettier-ignore
+  );
+
+/** A cube with a map along its creases; returns the middle of the 3D view, where its first cone is. */
+async function mapped() {
+  const { page } = it;
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
+  await page.click('#follow-creases');
+  await page.waitForSelector('#features-note');
+  await run(it);
+  await page.click('tr[data-cone="0"] [aria-label$="frame"]');
+  await settled(page);
+  const box = await page.locator('#view').boundingBox();
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+async function setK(i, k) {
+  const input = it.page.locator(`tr[data-cone="${i}"] input`);
+  await input.fill(String(k));
+  await input.press('Enter');
+}
+
+test('cones that are placed along features stay where they are put, and the copied command has them', async (t) => {
+  const { page } = it;
+  await openFiles(it, { 'square.obj': toObj(flatSquare(10)) });
+  await page.click('#follow-rims');
+  await run(it);
+  assert.equal((await cones()).length, 0);
+  assert.equal(await page.locator('#keep-cones').count(), 0);
+  const box = await page.locator('#view').boundingBox();
+  const { x, y } = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  await page.click('#tool-place');
+  await page.mouse.click(x - 50, y);
+  await page.mouse.click(x + 50, y);
+  await setK(0, 3);
+  await setK(1, 5);
+  await state(page, 'stale');
+  const placed = await cones();
+  assert.equal(placed.length, 2);
+  assert.equal(await page.isChecked('#keep-cones'), true);
+  await settled(page);
+  await page.screenshot({ path: path.join(shots, 'features-own.png') });
+  assert.deepEqual(await violations(page, '#panel-solve'), []);
+  await run(it);
+  assert.match(await statusText(page), /lines follow 1 rim/);
+  assert.deepEqual(await cones(), placed);
+  await settled(page);
+  await page.screenshot({ path: path.join(shots, 'features-own-run.png') });
+  await page.click('#solve-more > summary');
+  await page.click('#copy-command');
+  await statusSays(it, /Copied/);
+  const command = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(command, /square\.obj --rims --q 4 --cone \d+:3 --cone \d+:5 /);
+  const saved = await saveAs(it, 'same');
+  const program = commandLine(t);
+  if (!program) return;
+  const file = path.join(it.folder, 'own.obj');
+  writeFileSync(file, saved.bytes);
+  const verified = spawnSync(program, ['verify', file, '--rims', ...placed.flatMap((cone) => ['--cone', cone.replace(' ', ':')])], { encoding: 'utf8' }); // prettier-ignore
+  assert.equal(verified.status, 0, verified.stdout + verified.stderr);
+});
+
+test('cones that have no map along features are refused before Run, and Run can choose others', async () => {
+  const { page } = it;
+  await mapped();
+  const chosen = await cones();
+  await setK(0, 2);
+  await setK(1, 4);
+  await state(page, 'stale');
+  await page.getByRole('button', { name: 'Let Run choose the cones' }).click();
+  await state(page, 'certified');
+  assert.deepEqual(await cones(), chosen);
+  assert.equal(await page.isChecked('#keep-cones'), false);
 });

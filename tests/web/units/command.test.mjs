@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { loadOptionsOf, plainOutput } from '../../../web/src/model/document.ts';
+import { loadOptionsOf, plainOutput } from '../../../web/src/model/plain.ts';
 import { fromCones, toCones } from '../../../web/src/model/prescription.ts';
 import { cliCommand } from '../../../web/src/text/cli_command.ts';
 import { randomFrom } from '../../mutation/draw.mjs';

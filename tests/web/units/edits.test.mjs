@@ -7,6 +7,7 @@ import {
   balanced,
   clearCones,
   deleteCone,
+  keepCones,
   moveCone,
   placeOrSelect,
   selectNext,
@@ -16,6 +17,7 @@ import {
   setTurning,
 } from '../../../web/src/actions/edit_cones.ts';
 import { cancel, runJob } from '../../../web/src/actions/job.ts';
+import { whyNotRun } from '../../../web/src/actions/solve.ts';
 import { redo, undo } from '../../../web/src/actions/undo.ts';
 import { Document } from '../../../web/src/model/document.ts';
 import { leftAt } from '../../../web/src/model/gauss_bonnet.ts';
@@ -259,4 +261,56 @@ test('how a job ends is a value: done, failed, cancelled, or replaced by another
   doc.clearModel();
   assert.equal(signal.aborted, true);
   assert.equal(doc.isBusy, false);
+});
+
+test('cones that are edited along features are kept by Run; those that it chose, or that are cleared, are not', () => {
+  const app = opened();
+  const { doc } = app;
+  const keeps = () => doc.features?.keepsCones ?? false;
+  const cones = [{ vertex: 3, k: 3 }];
+  const place = (kind, placed = cones) =>
+    assert.ok(setPrescription(app, { ...doc.prescription, cones: placed }, kind));
+  place('add cone: 3');
+  assert.equal(doc.features, undefined);
+  const features = { hasCreases: true, hasRims: false, edges: [[0, 1]], rims: [] };
+  doc.features = features;
+  for (const kind of [
+    'add cone: 3',
+    'move cone: 1',
+    'change k: 3',
+    'balance',
+    'import cones',
+    'restore cones',
+  ]) {
+    // prettier-ignore
+    doc.features = features;
+    place(kind);
+    assert.equal(keeps(), true, kind);
+    assert.deepEqual({ ...doc.features, keepsCones: undefined }, { ...features, keepsCones: undefined }); // prettier-ignore
+  }
+  const kept = doc.features;
+  place('change k: 3');
+  assert.equal(doc.features, kept, 'the same edges as before');
+  place('suggest cones');
+  assert.equal(keeps(), false);
+  place('move cone: 1');
+  clearCones(app);
+  assert.equal(keeps(), false);
+  place('move cone: 1');
+  keepCones(app, false);
+  assert.equal(keeps(), false);
+  doc.features = undefined;
+  keepCones(app, true);
+  assert.equal(doc.features, undefined);
+  // What is not balanced prevents no run that chooses other cones.
+  doc.features = features;
+  doc.begin({ ...doc.prescription, cones });
+  assert.equal(whyNotRun({ doc, client: {} }), '');
+  keepCones(app, true);
+  assert.equal(whyNotRun({ doc, client: {} }), doc.budget.text);
+  // With another q, lines follow no edges, and the choice waits.
+  doc.features = features;
+  doc.begin(emptyPrescription(6, 0, 0));
+  place('add cone: 3');
+  assert.equal(doc.features, features);
 });

@@ -27,7 +27,7 @@ test('whatever a link holds comes back, each part by itself and with all others'
       look: { ...look, pattern: one(patterns.filter((name) => !['image', 'material'].includes(name))), overlay: one(overlays), tiles: 1 + below(1000) }, // prettier-ignore
       solve: { ...solve, grid, improve: maybe(() => one([-1, 0, 0.25, 1])), rounds: 1 + below(1000), timeLimit: maybe(() => 1 + below(10 ** 6)) }, // prettier-ignore
       prescription: { q: 1 + below(64), cones: listOf(cone), turnings: listOf(index), handles: listOf(index) }, // prettier-ignore
-      features: maybe(() => ({ hasCreases: random() < 0.5, hasRims: random() < 0.5, edges: listOf(() => [below(99), below(99)]), rims: [], isSymmetric: random() < 0.5 })), // prettier-ignore
+      features: maybe(() => ({ hasCreases: random() < 0.5, hasRims: random() < 0.5, edges: listOf(() => [below(99), below(99)]), rims: [], isSymmetric: random() < 0.5, keepsCones: random() < 0.5 })), // prettier-ignore
       camera: maybe(() => '1,2,3,-4,5.5,0'),
       model: modelTag({ file: { sha256: `c0ffee${10 + below(90)}11` }, surface: below(3) }),
     };
@@ -45,9 +45,9 @@ test('whatever a link holds comes back, each part by itself and with all others'
     assert.equal(read.q, prescription.q);
     assert.deepEqual(read.cones, orNone(prescription.cones));
     assert.deepEqual([read.turnings, read.handles], [orNone(said(prescription.turnings)), orNone(said(prescription.handles))]); // prettier-ignore
-    const { hasCreases = false, hasRims = false, edges = [], isSymmetric = false } = features ?? {};
+    const { hasCreases = false, hasRims = false, edges = [], isSymmetric = false, keepsCones = false } = features ?? {}; // prettier-ignore
     const hasLines = edges.length > 0 || hasRims || isSymmetric;
-    const lines = { hasCreases: hasCreases && edges.length > 0, hasRims, edges, ...(isSymmetric ? { isSymmetric } : {}) }; // prettier-ignore
+    const lines = { hasCreases: hasCreases && edges.length > 0, hasRims, edges, ...(isSymmetric ? { isSymmetric } : {}), ...(keepsCones && prescription.cones.length > 0 ? { keepsCones } : {}) }; // prettier-ignore
     assert.deepEqual(read.features, hasLines ? lines : undefined);
     const isOfModel = hasLines || [read.cones, read.turnings, read.handles].some(Boolean);
     assert.equal(read.model, isOfModel ? source.model : undefined);

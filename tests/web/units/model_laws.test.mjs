@@ -5,7 +5,8 @@ import test from 'node:test';
 import { effect } from '@preact/signals-core';
 import { returnTo } from '../../../web/src/actions/compare_runs.ts';
 import { compareRuns } from '../../../web/src/model/compare.ts';
-import { Document, loadOptionsOf } from '../../../web/src/model/document.ts';
+import { Document } from '../../../web/src/model/document.ts';
+import { loadOptionsOf } from '../../../web/src/model/plain.ts';
 import { sameFeatures } from '../../../web/src/model/features.ts';
 import { computeBudget, suggestedK, waysToSpend } from '../../../web/src/model/gauss_bonnet.ts';
 import { areSeamsShown, hasSteps, sameGrid, sameTiles, tilesPerUnit, turnedSeams } from '../../../web/src/model/grid.ts'; // prettier-ignore
@@ -165,6 +166,8 @@ test('a run is the current one as long as everything that decides a map is as it
     doc.solutions = [first];
   }
   // What does not decide it.
+  doc.features = { hasCreases: false, hasRims: false, edges: [], rims: [], keepsCones: true };
+  assert.equal(doc.current, first);
   doc.look = { ...doc.look, tiles: 99 };
   doc.solve = { ...doc.solve, rounds: 3, timeLimit: 9 };
   assert.equal(doc.current, first);
@@ -186,7 +189,7 @@ test('whichever run one returns to is the current one then, with its cones and s
     { name: 'a.rosy', text: '' },
     { name: 'b.rosy', text: '' },
   ];
-  const features = [undefined, { hasCreases: false, hasRims: false, edges: [[1, 2]], rims: [] }, { hasCreases: true, hasRims: false, edges: [[3, 4]], rims: [] }]; // prettier-ignore
+  const features = [undefined, { hasCreases: false, hasRims: false, edges: [[1, 2]], rims: [] }, { hasCreases: true, hasRims: false, edges: [[3, 4]], rims: [] }, { hasCreases: true, hasRims: false, edges: [[5, 4]], rims: [], keepsCones: true }]; // prettier-ignore
   const edit = {
     cones: () => doc.begin({ ...doc.prescription, cones: [{ vertex: Math.floor(9 * random()), k: 3 }] }), // prettier-ignore
     improve: () => (doc.solve = { ...doc.solve, improve: pick([undefined, 0, 1, -1]) }),
@@ -209,6 +212,7 @@ test('whichever run one returns to is the current one then, with its cones and s
     returnTo(app, run);
     assert.equal(doc.current, run);
     assert.equal(doc.prescription, run.prescription);
+    assert.equal(doc.features, run.features, 'and who chose its cones');
     const { improve, frames, grid, ...rest } = doc.solve;
     assert.deepEqual([improve, frames, grid], [run.improve, run.frames, run.grid]);
     const { improve: _a, frames: _b, grid: _c, ...before } = solve;
@@ -244,6 +248,9 @@ test('the state is one word, in this order of precedence', () => {
   doc.begin({ ...doc.prescription, cones: [{ vertex: 0, k: 3 }] });
   assert.equal(doc.needsCones, false);
   assert.equal(doc.stateName, 'unbalanced');
+  doc.features = { hasCreases: false, hasRims: false, edges: [[1, 2]], rims: [] };
+  assert.equal(doc.stateName, 'ready', 'Run chooses others');
+  doc.features = undefined;
   doc.begin({ ...doc.prescription, cones: Array.from({ length: 8 }, (_, vertex) => ({ vertex, k: 3 })) }); // prettier-ignore
   assert.equal(doc.stateName, 'ready');
   doc.solutions = [solutionOf(doc)];

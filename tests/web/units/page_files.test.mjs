@@ -276,6 +276,21 @@ test(
     const written = edgesOf(await saved[0].blob.text()).map((edge) => [...edge].sort((a, b) => a - b).join()); // prettier-ignore
     const rims = doc.features.rims.map((edge) => [...edge].sort((a, b) => a - b).join());
     assert.deepEqual(written.toSorted(), [...chosen, ...rims].toSorted());
+    // Turnings are those of the field, whatever the cones; what is placed after the run is kept until the box is unticked.
+    assert.deepEqual(doc.prescription.turnings, [null]);
+    const { prescription } = doc;
+    const { setPrescription } = await import('../../../web/src/actions/edit_cones.ts');
+    assert.equal($('#keep-cones').checked, false);
+    assert.match(textOf($('#panel-solve')), /Run chooses cones that fit/);
+    setPrescription(app, { ...prescription, cones: prescription.cones.slice(1) }, 'delete cone');
+    await drawn();
+    assert.equal($('#keep-cones').checked, true);
+    assert.match(textOf($('#panel-solve')), /Run keeps the cones that are placed/);
+    await choose('#keep-cones', false);
+    assert.deepEqual([doc.features.keepsCones, doc.stateName], [false, 'stale']);
+    assert.match(status(), /previous cones/);
+    await runNow(app);
+    assert.deepEqual([doc.prescription, doc.stateName], [prescription, 'certified']);
     await choose('#follow-rims', false);
     assert.deepEqual([doc.features.hasRims, doc.stateName], [false, 'stale']);
     await choose('#follow-creases', false);

@@ -279,7 +279,7 @@ test(
     const answer = { components: [{ warnings: [{ code: 'some-warning', numbers: {}, words: {}, where: [] }] }], error: undefined }; // prettier-ignore
     let answers = answer;
     const { solver } = doc.model;
-    const check = (cones) => (asked.push(cones.cones.length), Promise.resolve(answers));
+    const check = (cones) => (asked.push(cones.features ?? cones.cones.length), Promise.resolve(answers)); // prettier-ignore
     const model = { ...doc.model, solver: new Proxy(solver, { get: (of, key) => (key === 'check' ? check : of[key]) }) }; // prettier-ignore
     doc.state = { kind: 'open', model };
     t.after(watchCones(app));
@@ -327,6 +327,27 @@ test(
     doc.job = undefined;
     await drawn();
     assert.deepEqual(asked.splice(0), [8]);
+    // Along features, with them; but not where Run chooses others, or where a plane has edges of its own.
+    const features = { hasCreases: false, hasRims: false, edges: [[0, 1]], rims: [] };
+    doc.features = features;
+    await drawn();
+    assert.deepEqual(asked.splice(0), []);
+    const along = [{ rims: false, lines: [{ vertices: [0, 1] }] }];
+    answers = { components: [], error: refusal };
+    assert.deepEqual(await place([...eight().slice(1), { vertex: 9, k: 3 }]), along);
+    assert.deepEqual([doc.budget.isReady, doc.message.actions.map(({ label }) => label)], [false, ['Let Run choose the cones']]); // prettier-ignore
+    const { features: kept } = doc;
+    doc.features = { ...kept, isSymmetric: true };
+    await drawn();
+    assert.deepEqual([doc.budget.isReady, asked.splice(0)], [true, []]);
+    doc.features = kept;
+    await drawn();
+    assert.deepEqual([doc.budget.isReady, asked.splice(0)], [false, []], 'known already');
+    answers = answer;
+    doc.features = { ...kept, edges: [[1, 2]] };
+    await drawn();
+    assert.equal(asked.splice(0).length, 1);
+    assert.equal(doc.budget.isReady, true);
   },
 );
 

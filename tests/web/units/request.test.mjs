@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Document } from '../../../web/src/model/document.ts';
-import { emptyPrescription } from '../../../web/src/model/prescription.ts';
+import { emptyPrescription, toCones } from '../../../web/src/model/prescription.ts';
+import { cliCommand } from '../../../web/src/text/cli_command.ts';
 import { optionsAgain, runOptions } from '../../../web/src/model/request.ts';
 
 const prescription = { ...emptyPrescription(4, 0, 0), cones: [{ vertex: 7, k: 3 }] };
@@ -32,6 +33,11 @@ test('cones, features or a choice of the solver: a run is asked with one of them
     ...{ q: 4, symmetric: 'auto' },
     ...common,
   });
+  const kept = runOptions({ prescription, features: { ...symmetric, keepsCones: true }, isAutomatic: true, ...settings }); // prettier-ignore
+  assert.deepEqual(kept, {
+    ...{ cones: toCones(prescription), symmetric: 'auto', features: { rims: true, lines } },
+    ...common,
+  });
   const framed = runOptions({ prescription, field, ...settings });
   assert.deepEqual([framed.field, framed.frames], [field, 'file']);
   assert.equal(framed.cones.cones.length, 1);
@@ -44,6 +50,7 @@ test('a map is made once more with its own rounds and field, whatever the settin
   const { maxRounds, improve, scale, keepGoing } = again({});
   assert.deepEqual([maxRounds, improve, scale, keepGoing], [31, -1, 'fit', true]);
   assert.equal(again({ features }).cones, undefined);
+  assert.equal(again({ features: { ...features, keepsCones: true } }).cones.cones.length, 1);
   assert.equal(again({ field }).frames, 'file');
 });
 
@@ -58,4 +65,29 @@ test('features are asked for where lines can follow them: with q = 4, and not be
   doc.takeField();
   doc.begin(emptyPrescription(6, 0, 0));
   assert.equal(doc.askedFeatures, undefined);
+});
+
+test('along features a run chooses the cones, unless there are some and they are kept', () => {
+  const doc = new Document();
+  const placed = (cones) => doc.begin({ ...emptyPrescription(4, 0, 0), cones });
+  const choosing = () => [[], prescription.cones].map((cones) => (placed(cones), doc.choosesCones));
+  assert.deepEqual(choosing(), [true, false]);
+  doc.features = features;
+  assert.deepEqual(choosing(), [true, true]);
+  doc.features = { ...features, keepsCones: true };
+  assert.deepEqual(choosing(), [true, false], 'where there is none, none is kept');
+  doc.takeField(field);
+  doc.solve = { ...doc.solve, frames: 'file' };
+  assert.deepEqual(choosing(), [false, false], 'frames of a file have cones of their own');
+});
+
+test('the command of a run along features has the cones only if they are kept', () => {
+  const model = { main: 'a.obj', loaded: { fix: {} }, info: { surface: 0, surfaces: [{}], file: { format: 'obj' } } }; // prettier-ignore
+  const output = { embedCones: false, isUncertified: false };
+  const command = (more, cones = prescription) =>
+    cliCommand(model, cones, { rounds: 9, scale: 'solved', gridMode: 'tile', features: { ...features, ...more } }, output); // prettier-ignore
+  assert.match(command(), /^hgp param a\.obj --rims --features a\.features\.json --strict/);
+  assert.match(command({ keepsCones: true }), /^hgp param a\.obj --rims --features a\.features\.json --q 4 --cone 7:3 --strict/); // prettier-ignore
+  const cones = Array.from({ length: 41 }, (_, vertex) => ({ vertex, k: 3 }));
+  assert.match(command({ keepsCones: true }, { ...prescription, cones }), /a\.features\.json --q 4 --cones a\.cones\.json /); // prettier-ignore
 });

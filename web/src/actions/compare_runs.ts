@@ -20,7 +20,7 @@ export function returnTo(
   const { doc } = app;
   if (isLocked(app)) return;
   doc.solve = { ...doc.solve, improve, frames, grid };
-  doc.features = features;
   if (field) doc.field = field;
   if (doc.prescription !== prescription) setPrescription(app, prescription, 'choose run');
+  doc.features = features; // and who chooses the cones along them
 }

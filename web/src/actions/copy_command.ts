@@ -1,7 +1,7 @@
 // Copies the equivalent command line to the clipboard.
 
-import { plainOutput } from '../model/document';
 import { canAlign } from '../model/grid';
+import { plainOutput } from '../model/plain';
 import type { Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { cliCommand, type CommandOptions, type CommandOutput } from '../text/cli_command';
@@ -64,14 +64,11 @@ export async function copyCommand(app: App): Promise<void> {
     : 'that does this run';
   const readsCones = command.includes('--cones ');
   const readsEdges = command.includes('--features ');
-  const also = readsCones
-    ? ' It reads the cones from the file that Export saves.'
-    : readsEdges
-      ? ' It reads the edges from the file that Save the list saves.'
-      : '';
+  const cones = readsCones ? ' It reads the cones from the file that Export saves.' : '';
+  const edges = readsEdges ? ' It reads the edges from the file that Save the list saves.' : '';
   try {
     await navigator.clipboard.writeText(command);
-    doc.say(`Copied: the command ${does}.${also}`, 'good');
+    doc.say(`Copied: the command ${does}.${cones}${edges}`, 'good');
   } catch {
     doc.say(`The browser does not let this page copy. The command: ${command}`);
   }

@@ -3,7 +3,8 @@
 // A map that the solver no longer has, or has in another scale, is computed again.
 
 import type { CombineOptions, UvMap } from 'hgp';
-import { plainOutput, type MeshWork } from '../model/document';
+import type { MeshWork } from '../model/document';
+import { plainOutput } from '../model/plain';
 import { gridTilesPerUnit } from '../model/grid';
 import { optionsAgain } from '../model/request';
 import type { Model, Output, OutputFile, Solution } from '../model/types';
@@ -12,7 +13,7 @@ import { solveAligned } from './align';
 import { solverOf, type App } from './app';
 import { runJob, type JobCall } from './job';
 import { loadInSolver } from './load';
-import { writeOptions } from './solve';
+import { writeOptions } from './write_solution';
 
 interface Part {
   work: MeshWork;

@@ -9,7 +9,8 @@ import type { Model, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import type { App } from './app';
 import { setPrescription } from './edit_cones';
-import { keepSolution, numbersOf, run, writeSolution } from './solve';
+import { keepSolution, run } from './solve';
+import { numbersOf, writeSolution } from './write_solution';
 
 /** A drag of a cone over a map. */
 interface Going {

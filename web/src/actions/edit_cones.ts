@@ -3,6 +3,7 @@
 import { leftAt, suggestedK } from '../model/gauss_bonnet';
 import {
   fromCones,
+  isSilent,
   orders,
   samePrescription,
   toCones,
@@ -25,10 +26,18 @@ export function setPrescription(app: App, prescription: Prescription, kind: stri
   doc.history = doc.history.push({ prescription, settings: doc.settings }, kind);
   if (doc.message?.kind !== 'note') doc.message = undefined; // it was about the previous prescription
   doc.hasUserCones = true;
+  if (doc.askedFeatures) keepCones(app, kind !== 'suggest cones' && !isSilent(prescription));
   doc.isUnsaved = true;
   if (doc.selected >= prescription.cones.length) doc.selected = -1;
   if (doc.model) void saveCones(doc.model.info, prescription);
   return true;
+}
+
+/** Whether Run keeps the cones that are placed, along features. */
+export function keepCones({ doc }: App, keepsCones: boolean): void {
+  const { features } = doc;
+  if (features && (features.keepsCones ?? false) !== keepsCones)
+    doc.features = { ...features, keepsCones };
 }
 
 const setCones = (app: App, cones: readonly Cone[], kind: string): boolean =>

@@ -3,7 +3,8 @@
 
 import type { Model as SolverModel, ModelInfo, Placements, Surface as SurfaceArrays } from 'hgp';
 import { ignoredBytes } from '../formats/gzip';
-import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
+import type { MeshWork } from '../model/document';
+import { loadOptionsOf, plainSettings } from '../model/plain';
 import { isSilent } from '../model/prescription';
 import { identity, type Matrix } from '../model/matrix';
 import { canRepair } from '../model/repairs';

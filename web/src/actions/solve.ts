@@ -1,28 +1,17 @@
 // Requests cones and maps from the solver and stores its results.
 
-import {
-  HgpError,
-  type Cones,
-  type Note,
-  type SuggestOptions,
-  type UvMap,
-  type WriteOptions,
-  type Written,
-} from 'hgp';
-import { plainOutput } from '../model/document';
+import { HgpError, type Cones, type SuggestOptions, type UvMap } from 'hgp';
 import { describeFollowed } from '../model/features';
-import { gridOutcome, gridTilesPerUnit, sameTiles } from '../model/grid';
+import { gridOutcome, sameTiles } from '../model/grid';
+import { plainOutput } from '../model/plain';
 import { fromCones } from '../model/prescription';
 import { requestOf, runOptions } from '../model/request';
 import type {
   GridSettings,
-  MapNumbers,
   MessageAction,
   Model,
   Output,
-  OutputFile,
   Solution,
-  SolveRequest,
   SolveSettings,
 } from '../model/types';
 import { componentsOf, isCertified } from '../model/verdict';
@@ -35,10 +24,10 @@ import { solveAutomatic } from './automatic';
 import { solverOf, type App } from './app';
 import { balancedStep } from './cone_steps';
 import { copyCommand } from './copy_command';
-import { setPrescription, takeCones } from './edit_cones';
-import { isLocked, runJob, stageStart, type JobCall, type JobOutcome } from './job';
-import { sideFiles } from './side_files';
+import { keepCones, setPrescription, takeCones } from './edit_cones';
+import { isLocked, runJob, type JobCall, type JobOutcome } from './job';
 import { showPlaces } from './view';
+import { numbersOf, writeSolution } from './write_solution';
 
 const isLost = (error: unknown): boolean =>
   error instanceof HgpError && error.code === 'worker-lost';
@@ -55,18 +44,33 @@ export function sayRunFailure(app: App, error: unknown): void {
     const copy = { label: 'Copy the command', run: () => copyCommand(app) };
     return doc.say(text, 'error', [copy]);
   }
-  const advice = 'Try: move a cone to a vertex with more triangles, or another q.';
+  const { askedFeatures: features } = doc;
+  const advice = features
+    ? 'Try: without some of the edges that lines follow.'
+    : 'Try: move a cone to a vertex with more triangles, or another q.';
   const isNoMap = error instanceof HgpError && error.code === 'no-map';
   const where = error instanceof HgpError ? (error.details.where ?? []) : [];
   const runAutomatic = (): unknown => {
     doc.solve = { ...doc.solve, frames: 'auto' };
     return run(app);
   };
+  const suggest = { label: 'Suggest cones', run: () => suggestCones(app) };
   doc.say(isNoMap ? `${text} ${advice}` : text, 'error', [
     ...(where.length > 0 ? [{ label: 'Show', run: () => showPlaces(app, where) }] : []),
     ...(doc.askedField ? [{ label: 'Run with automatic frames', run: runAutomatic }] : []),
-    { label: 'Suggest cones', run: () => suggestCones(app) },
+    ...(features ? chooseAlong(app) : [suggest]),
   ]);
+}
+
+/** Where cones of the user have no map along features: a button that runs with those that fit. */
+export function chooseAlong(app: App): MessageAction[] {
+  const { doc } = app;
+  if (!doc.askedFeatures || doc.choosesCones) return [];
+  const choose = (): unknown => {
+    keepCones(app, false);
+    return run(app);
+  };
+  return [{ label: 'Let Run choose the cones', run: choose }];
 }
 
 function sayTimeout({ doc, client }: App): void {
@@ -121,7 +125,7 @@ export function whyNotRun({ doc, client }: App): string {
   if (!client || !doc.model) return 'Open a model first.';
   if (doc.isBusy) return 'Something is running already.';
   if (!doc.usableModel) return 'This mesh cannot be parametrized as it is.';
-  if (doc.needsCones || doc.budget?.isReady) return '';
+  if (doc.needsCones || doc.choosesCones || doc.budget?.isReady) return '';
   return doc.budget?.text ?? 'The cones are not balanced.';
 }
 
@@ -140,18 +144,21 @@ export async function solve(
   const { turnings, handles } = doc.prescription;
   // A component without a map is cut to a disk and fails its checks; this does not affect the others.
   const keepGoing = (model.info.components?.length ?? 1) > 1;
-  const { askedFeatures: features, askedField: field, coneStep } = doc;
-  const isAutomatic = !field && !features && doc.needsCones;
+  const { askedFeatures, askedField: field, coneStep, choosesCones } = doc;
+  const features = askedFeatures && { ...askedFeatures, keepsCones: !choosesCones };
+  const isAutomatic = choosesCones && !features;
   const prescribed = { prescription: doc.prescription, isAutomatic, features, field };
   const options = runOptions({ ...prescribed, rounds, improve, scale: output.scale, keepGoing });
   const { map, cells, step } = isAutomatic
     ? await solveAutomatic(app, model, options, call)
     : { ...(await solveAligned(app, model, options, call)), step: coneStep };
   doc.coneStep = step;
-  const prescription =
-    isAutomatic || features
-      ? fromCones(map.cones, turnings.length, handles.length)
-      : doc.prescription;
+  // Along features, turnings and handles are those of the field of these cones, and others where a cone is moved.
+  const { q, cones } = map.cones;
+  const chosen = features ? { q, cones } : map.cones;
+  const prescription = choosesCones
+    ? fromCones(chosen, turnings.length, handles.length)
+    : doc.prescription;
   const asked = { prescription, settings: model.loaded, improve, frames, field, features };
   const request = { ...asked, grid, cells, output };
   try {
@@ -168,80 +175,6 @@ export function keepSolution({ doc }: App, solution: Solution, before?: Solution
   if (before && surface) doc.look = sameTiles(doc.look, surface, before, solution);
   doc.solutions = [...doc.solutions.slice(-2), solution];
   doc.isUnsaved = true;
-}
-
-export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOptions => ({
-  allowUncertified: true,
-  embedCones,
-  ...(usesNewSet === undefined ? {} : { use: usesNewSet }),
-  ...(uvSet === undefined ? {} : { uvSet }),
-});
-
-/** Whether a note is settled: it asks to keep a file next to the new one, and the download includes that file. */
-export const isSettled = ({ code, words }: Note, files: OutputFile[]): boolean =>
-  code === 'write-keep-beside' && files.some(({ name }) => name === words.name);
-
-/** The numbers of a map alone: they travel to the geometry worker and back. */
-export function numbersOf(map: UvMap): MapNumbers {
-  const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = map;
-  const { certificate, cones, report, memory } = map;
-  const arrays = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
-  return { ...arrays, certificate, cones, report, memory };
-}
-
-const edgeKey = (v: number, w: number, count: number): number =>
-  Math.min(v, w) * count + Math.max(v, w);
-
-/** Writes the map, reads it back and computes what the panels show about it. */
-export async function writeSolution(
-  app: App,
-  model: Model,
-  request: SolveRequest,
-  { map, result: solved }: Pick<Solution, 'map' | 'result'>,
-  call: JobCall,
-): Promise<Solution> {
-  const { doc, geometry } = app;
-  const { output } = request;
-  call.onProgress(stageStart('write'));
-  let written = await map.write(writeOptions(output), call);
-  const { info, surface } = model;
-  const where = { mesh: info.surface, uvSet: output.uvSet };
-  let all = [...written.files, ...(await sideFiles(app, model, written.files))];
-  const analyse = async (result: MapNumbers, files: OutputFile[]) =>
-    geometry.analyse(surface, result, await map.measure(call), files, where);
-  let read = await analyse(solved, all);
-  let gridTiles: number | undefined;
-  if (output.hasGrid) {
-    const { distortion } = read.analysis;
-    gridTiles = gridTilesPerUnit(doc.look, surface, { result: read.result, distortion });
-    const options = { ...writeOptions(output), gridMaterial: gridTiles };
-    written = await map.write(options, call);
-    all = [...written.files, ...(await sideFiles(app, model, written.files))];
-    read = await analyse(read.result, all);
-  }
-  call.signal.throwIfAborted();
-  const { analysis, preserved, result, files } = read;
-  const { seams, uvToVertex } = result;
-  const seamAt = new Map<number, number>();
-  seams.forEach(({ a }, i) => {
-    seamAt.set(edgeKey(uvToVertex[a[0]], uvToVertex[a[1]], surface.vertexCount), i);
-  });
-  const newest: Written = { ...written, ...files[0], files: files.slice(0, written.files.length) };
-  const notes = written.notes.filter((note) => !isSettled(note, files));
-  return {
-    ...request,
-    ...analysis,
-    result,
-    map,
-    surfaceId: surface.id,
-    gridTiles,
-    written: newest,
-    notes,
-    preserved,
-    files,
-    seams,
-    seamAt,
-  };
 }
 
 /** Writes the same map with other output settings; solves again only if necessary. */
@@ -306,7 +239,7 @@ export function sayVerdict(app: App, solution: Solution, isOpen: boolean): void 
   const good = parts.filter(({ reasons }) => !reasons?.length).length;
   const passing = good > 0 ? ` ${good} of ${parts.length} components pass.` : '';
   const see = 'The map can be viewed; see the certificate.';
-  doc.say(`Not certified${chosen}.${passing} ${see}${other}`, 'error');
+  doc.say(`Not certified${chosen}.${passing} ${see}${other}`, 'error', chooseAlong(app));
 }
 
 /** How a run ended; `refused`: it did not begin, and the user was told why. */
@@ -321,7 +254,7 @@ export async function run(app: App): Promise<RunOutcome> {
   }
   const model = doc.usableModel!;
   doc.notAgain = doc.wanted;
-  const isOpen = doc.needsCones && !doc.askedField;
+  const isOpen = doc.choosesCones;
   const begin = performance.now();
   return running(app, 'Running', async (call) => {
     const solution = await solve(app, model, doc.displayed?.output ?? plainOutput, call);

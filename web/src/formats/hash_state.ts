@@ -96,7 +96,11 @@ function featuresOf(words: URLSearchParams): HashState['features'] {
   const isSymmetric = words.get('symmetric') === '1';
   if (!isGood || (!edges && !hasRims && !isSymmetric)) return undefined;
   const hasCreases = words.get('creases') === '1';
-  return { hasCreases, hasRims, edges: edges ?? [], ...(isSymmetric ? { isSymmetric } : {}) };
+  const marks = {
+    ...(isSymmetric ? { isSymmetric } : {}),
+    ...(words.get('own') === '1' ? { keepsCones: true } : {}),
+  };
+  return { hasCreases, hasRims, edges: edges ?? [], ...marks };
 }
 
 export function readHash(hash: string): HashState {
@@ -178,6 +182,7 @@ export function writeHash(source: HashSource): Written {
   if (features?.hasRims) words.set('rims', '1');
   if (features?.isSymmetric) words.set('symmetric', '1');
   if (features?.hasCreases && words.has('edges')) words.set('creases', '1');
+  if (features?.keepsCones && words.has('cones')) words.set('own', '1');
   const ofModel = ['cones', 'turnings', 'handles', 'edges', 'rims', 'symmetric'];
   if (model && ofModel.some((key) => words.has(key))) words.set('model', model);
   return { hash: `#${words}`, omitted };

@@ -8,13 +8,13 @@ import { sameGrid } from './grid';
 import { History } from './history';
 import type { LiveMap } from './live';
 import { emptyPrescription, isSilent, samePrescription, type Prescription } from './prescription';
+import { plainGrid, plainLook, plainSettings } from './plain';
 import { plainRounds } from './request';
 import { storeOf } from './store';
 import type { ScenePart } from './scene';
 import type {
   DirectionField,
   Files,
-  GridSettings,
   Job,
   LoadSettings,
   Look,
@@ -105,25 +105,6 @@ interface Fields {
   isUnsaved: boolean;
 }
 
-/** The load settings as options of the solver. */
-export const loadOptionsOf = ({ weld, fix, hasAllRepairs }: LoadSettings) =>
-  hasAllRepairs ? { weld } : { weld, fix };
-export const plainSettings: LoadSettings = { fix: {} };
-export const plainGrid: GridSettings = { isOn: true, mode: 'tile' };
-export const plainOutput: Output = {
-  scale: 'solved',
-  embedCones: true,
-  hasGrid: false,
-};
-const plainLook: Look = {
-  pattern: 'checker',
-  overlay: 'none',
-  tiles: 24,
-  steps: 1,
-  seams: 'auto',
-  hasWire: false,
-  light: 'studio',
-};
 const middleStep = 2; // of five: balanced
 const maxLog = 200;
 
@@ -186,9 +167,11 @@ export class Document extends storeOf<Fields>() {
   }
 
   readonly #objectionNow = computed(() => {
-    const { objection, prescription, model } = this;
+    const { objection, prescription, model, askedFeatures } = this;
     const isAbout =
-      objection?.prescription === prescription && objection.surface === model?.surface;
+      objection?.prescription === prescription &&
+      objection.surface === model?.surface &&
+      objection.features === askedFeatures;
     return isAbout ? objection : undefined;
   });
 
@@ -266,6 +249,12 @@ export class Document extends storeOf<Fields>() {
     return isSilent(this.prescription) && (!this.hasUserCones || !this.budget?.isReady);
   }
 
+  /** Whether Run chooses the cones: where nothing is prescribed, and along features unless those that are placed are kept. */
+  get choosesCones(): boolean {
+    const { askedFeatures: features, askedField: field, needsCones, prescription } = this;
+    return features ? !features.keepsCones || isSilent(prescription) : needsCones && !field;
+  }
+
   readonly #stateName = computed((): string => {
     const { state, job } = this;
     if (job) return job.kind === 'load' ? 'loading' : 'running';
@@ -275,7 +264,7 @@ export class Document extends storeOf<Fields>() {
     if (this.live) return 'dragging';
     if (this.current) return isCertified(this.current) ? 'certified' : 'not-certified';
     if (this.displayed) return 'stale';
-    return this.budget?.isReady || this.needsCones ? 'ready' : 'unbalanced';
+    return this.budget?.isReady || this.needsCones || this.choosesCones ? 'ready' : 'unbalanced';
   });
   /** The state of the page in one word. */
   get stateName(): string {

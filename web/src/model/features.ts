@@ -19,6 +19,8 @@ export interface FeatureChoice {
   readonly hasRims: boolean;
   /** Whether the map is its own mirror image, with lines along the plane and all rims. */
   readonly isSymmetric?: boolean;
+  /** Whether Run keeps the cones that are placed; otherwise it chooses cones that fit. */
+  readonly keepsCones?: boolean;
   /** Edges inside the surface by their vertices; with any of them, or with hasRims, rims are lines as well. */
   readonly edges: readonly Edge[];
   /** All edges of the boundary. */
@@ -39,6 +41,7 @@ export const toFeatures = ({ hasRims, edges }: FeatureChoice): Features => ({
 
 const keyOf = ([v, w]: Edge): string => (v < w ? `${v} ${w}` : `${w} ${v}`);
 
+/** Whether lines follow the same edges, whoever chooses the cones. */
 export function sameFeatures(a: FeatureChoice | undefined, b: FeatureChoice | undefined): boolean {
   if (a === b) return true;
   const [x, y] = [a ?? noFeatures, b ?? noFeatures];

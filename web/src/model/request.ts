@@ -13,7 +13,7 @@ export interface Asked {
   prescription: Prescription;
   /** Whether the solver chooses the cones. */
   isAutomatic?: boolean;
-  /** Edges that lines follow; they bring their cones. */
+  /** Edges that lines follow; they bring their cones, unless those that are placed are kept. */
   features?: FeatureChoice;
   /** Whose directions are the frames. */
   field?: DirectionField;
@@ -24,18 +24,20 @@ export interface Asked {
   keepGoing: boolean;
 }
 
-/** The prescription of a run, in the one form that there is for it: features or cones, never both. */
+/** The prescription of a run, in the one form that there is for it. */
 export function runOptions(asked: Asked): SolveOptions {
   const { prescription, isAutomatic, features, field, rounds, improve, scale, keepGoing } = asked;
   const common = { maxRounds: rounds, improve, scale, keepGoing };
   const { q } = prescription;
+  const isChosen = features ? !features.keepsCones : isAutomatic;
+  const cones = isChosen ? { q } : { cones: toCones(prescription) };
   if (features) {
     const edges = hasEdges(features) ? { features: toFeatures(features) } : {};
-    return { q, ...edges, ...(features.isSymmetric ? { symmetric: 'auto' } : {}), ...common };
+    const mirrored = features.isSymmetric ? { symmetric: 'auto' as const } : {};
+    return { ...cones, ...edges, ...mirrored, ...common };
   }
-  if (isAutomatic) return { q, ...common };
   const framed = field ? { field, frames: 'file' as const } : {};
-  return { cones: toCones(prescription), ...framed, ...common };
+  return { ...cones, ...framed, ...common };
 }
 
 /** The same for a map that exists, in a scale. */

@@ -242,6 +242,7 @@ export interface Model {
 export interface Objection {
   prescription: Prescription;
   surface: Surface;
+  features: FeatureChoice | undefined;
   /** Empty if there is none. */
   text: string;
   warnings: string[];

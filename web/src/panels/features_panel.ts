@@ -4,6 +4,7 @@ import type { ModelInfo } from 'hgp';
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
+import { keepCones } from '../actions/edit_cones';
 import {
   clearFeatures,
   exportFeatures,
@@ -12,6 +13,7 @@ import {
   mirrorMap,
 } from '../actions/features';
 import { featuresText, hasEdges, hasFeatures, hasLongCreases } from '../model/features';
+import { isSilent } from '../model/prescription';
 import { plural } from '../text/format';
 import { Panel } from './panel';
 
@@ -45,13 +47,16 @@ class FeaturesPanel extends Panel {
           >${isPossible ? this.#hint(model.info) : `Lines along edges need q = 4, not ${doc.prescription.q}.`}</small
         >
       </p>
-      ${features && isPossible ? this.#chosen(loops) : nothing}`;
+      ${features && isPossible ? this.#chosen(loops) : nothing}
+      ${features && isPossible && !isSilent(doc.prescription) ? html`<p>${tick('keep-cones', 'Keep the cones that are placed', !doc.choosesCones, (isOn) => keepCones(this.app, isOn))}</p>` : nothing}`;
   }
 
   #hint(info: ModelInfo): string {
+    const { features, choosesCones } = this.app.doc;
     const found = info.features?.creaseChains ?? 0;
-    const isOffered = hasLongCreases(info) && !this.app.doc.features;
-    return `${isOffered ? `This model has ${plural(found, 'long crease')}. ` : ''}These edges become straight lines of the map, exactly; Run chooses cones that fit.`;
+    const isOffered = hasLongCreases(info) && !features;
+    const keeps = features !== undefined && !choosesCones;
+    return `${isOffered ? `This model has ${plural(found, 'long crease')}. ` : ''}These edges become straight lines of the map, exactly; Run ${keeps ? 'keeps the cones that are placed' : 'chooses cones that fit'}.`;
   }
 
   #chosen(loops: number): TemplateResult | typeof nothing {

@@ -23,7 +23,7 @@ function restingText({ doc }: AppView): string {
     case 'empty':
       return 'Ready.';
     case 'stale':
-      if (doc.budget && !doc.budget.isReady) return doc.budget.text;
+      if (doc.budget && !doc.budget.isReady && !doc.choosesCones) return doc.budget.text;
       return 'The result is for the previous cones. Run again, or undo.';
     case 'renewing':
       return `The map of these cones is being made: ${stageName(doc.automatic?.stage ?? '').toLowerCase()}`;
@@ -34,6 +34,8 @@ function restingText({ doc }: AppView): string {
     default: {
       const { cones } = doc.prescription;
       if (cones.length === 0 && !doc.hasUserCones) return 'No cones yet: Run suggests them first.';
+      if (doc.stateName === 'ready' && doc.askedFeatures && doc.choosesCones)
+        return 'Run chooses cones that fit the edges that lines follow.';
       const text = doc.budget?.text ?? '';
       return doc.budget?.isReady ? `${text} · ${plural(cones.length, 'cone')} · ready` : text;
     }

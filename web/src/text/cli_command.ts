@@ -49,7 +49,7 @@ export interface CommandOptions {
   gridMode: GridSettings['mode'];
   /** Whose directions are the frames. */
   field?: { name: string };
-  /** Edges that lines follow; cones are then automatic. */
+  /** Edges that lines follow; cones are then automatic, unless those that are placed are kept. */
   features?: FeatureChoice;
   /** In seconds. */
   timeLimit?: number;
@@ -102,10 +102,13 @@ export function cliCommand(
 ): string {
   const { main, info } = model;
   const stem = main.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
+  const { features } = options;
+  const hasCones = !features || features.keepsCones;
   const ending = isGltfModel(model) ? `.${info.file.format}` : '.obj';
   return [
     ...['hgp', 'param', quoted(main)],
-    ...(options.features ? featureWords(options.features, stem) : coneWords(prescription, stem)),
+    ...(features ? featureWords(features, stem) : []),
+    ...(hasCones ? coneWords(prescription, stem) : []),
     ...meshWords(model),
     ...solveWords(options),
     ...((info.components?.length ?? 1) > 1 ? ['--keep-going'] : []),

@@ -85,6 +85,8 @@ export interface Cones {
   cones: { vertex: number; k: number; position?: [number, number, number] }[];
   boundaries?: { loop: number; l: number; anchor?: number }[];
   handles?: { generator: number; r: number }[];
+  /** Edges that lines follow with these cones. */
+  features?: Features;
 }
 
 /** A file of cones or of a field: hgp-cones JSON, OBJ with `c` and `sm` lines, .sing, curvatures, Th_hat, .rawfield,

@@ -204,3 +204,38 @@ test('cones that have no map along features are refused before Run, and Run can 
   assert.deepEqual(await cones(), chosen);
   assert.equal(await page.isChecked('#keep-cones'), false);
 });
+
+test('a click on a model whose map is to be symmetric places a pair, and a drag moves both', async () => {
+  const { page } = it;
+  await openFiles(it, { 'arch.obj': toObj(arch(10)) });
+  await page.click('#symmetric');
+  await page.waitForSelector('#features-note');
+  await settled(page);
+  const box = await page.locator('#view').boundingBox();
+  const [x, y] = [box.x + box.width / 2 + 60, box.y + box.height / 2];
+  await page.click('#tool-place');
+  await page.mouse.click(x, y);
+  assert.equal((await cones()).length, 2);
+  await setK(0, 5);
+  const placed = await cones();
+  assert.deepEqual(placed.map((cone) => cone.split(' ')[1]), ['5', '5']); // prettier-ignore
+  await page.click('tr[data-cone="0"] [aria-label$="frame"]');
+  await settled(page);
+  await page.click('#tool-place');
+  const at = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 40, at.y + 30, { steps: 5 });
+  await page.mouse.up();
+  const moved = await cones();
+  assert.ok(
+    moved.every((cone) => !placed.includes(cone)),
+    `${placed} → ${moved}`,
+  );
+  await run(it);
+  assert.match(await statusText(page), /lines follow 1 rim and the plane of symmetry/);
+  assert.deepEqual(await cones(), moved);
+  await page.keyboard.press('Escape');
+  await settled(page);
+  await page.screenshot({ path: path.join(shots, 'symmetric-pair.png') });
+});

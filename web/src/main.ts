@@ -5,6 +5,7 @@ import type { App } from './actions/app';
 import { attempt } from './actions/app';
 import { watchEdits } from './actions/follow_edits';
 import { watchCones } from './actions/check_cones';
+import { watchOpposite } from './actions/opposite';
 import { followLink } from './actions/follow_link';
 import { watchMemory } from './actions/free_unused';
 import { notifyAtEnd } from './actions/notify_at_end';
@@ -131,6 +132,7 @@ async function start(): Promise<void> {
   rememberState();
   notifyAtEnd(app);
   watchCones(app);
+  watchOpposite(app);
   watchThumbnails(app);
   watchMemory(app);
   watchEdits(app);

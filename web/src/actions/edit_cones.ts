@@ -1,5 +1,6 @@
 // Every edit of the prescription. Each is one undo step.
 
+import { withKOfPair, withoutPair, withPair, withPairAt } from '../model/cone_pairs';
 import { leftAt, suggestedK } from '../model/gauss_bonnet';
 import {
   fromCones,
@@ -18,6 +19,7 @@ import { describeError } from '../text/error_messages';
 import { listed, plural } from '../text/format';
 import type { App } from './app';
 import { isLocked } from './job';
+import { oppositeIn } from './opposite';
 
 /** The only function that changes the prescription. `kind` is "verb: field" for undo. */
 export function setPrescription(app: App, prescription: Prescription, kind: string): boolean {
@@ -44,13 +46,16 @@ const setCones = (app: App, cones: readonly Cone[], kind: string): boolean =>
   setPrescription(app, { ...app.doc.prescription, cones }, kind);
 
 /** The cone that a click at a vertex would place; undefined if the vertex cannot be a cone. */
-export function coneToPlace({ doc }: App, picked: number): Cone | undefined {
+export function coneToPlace(app: App, picked: number): Cone | undefined {
+  const { doc } = app;
   const model = doc.usableModel;
   const vertex = model?.surface.representative[picked] ?? -1;
   if (!model || vertex < 0 || model.surface.isBoundary[vertex]) return undefined;
   const { surface } = model;
   const left = leftAt(doc.budget, surface, vertex);
-  return { vertex, k: suggestedK(surface, vertex, doc.prescription.q, left) };
+  const image = oppositeIn(app)(vertex);
+  const share = image < 0 || image === vertex ? left : Math.trunc(left / 2); // for each of a pair
+  return { vertex, k: suggestedK(surface, vertex, doc.prescription.q, share) };
 }
 
 /** Selects the cone at a vertex or, if there is none, adds one with a suitable k. */
@@ -68,7 +73,8 @@ export function placeOrSelect(app: App, picked: number): void {
     const rule = 'Boundaries have a turning instead of cones: see Boundaries and handles.';
     return doc.say(`Vertex ${vertex} is on the boundary. ${rule}`, 'error');
   }
-  if (setCones(app, [...cones, cone], `add cone: ${vertex}`)) select(app, cones.length);
+  const placed = withPair(cones, cone, oppositeIn(app));
+  if (setCones(app, placed, `add cone: ${vertex}`)) select(app, cones.length);
 }
 
 export function select({ doc }: App, index: number): void {
@@ -87,8 +93,7 @@ export function setK(app: App, index: number, k: number): void {
   if (!Number.isInteger(k) || k < 1) {
     return app.doc.say(`k must be a whole number from 1, not ${k}.`, 'error');
   }
-  const changed = cones.map((one, i) => (i === index ? { ...one, k } : one));
-  setCones(app, changed, `change k: ${cone.vertex}`);
+  setCones(app, withKOfPair(cones, index, k, oppositeIn(app)), `change k: ${cone.vertex}`);
 }
 
 /** Moves a cone. `drag` identifies the drag, all moves of which are one undo step. */
@@ -98,10 +103,8 @@ export function moveCone(app: App, index: number, picked: number, drag: string):
   const cone = cones[index];
   const vertex = surface?.representative[picked] ?? -1;
   if (!cone || cone.vertex === vertex || vertex < 0 || surface!.isBoundary[vertex]) return;
-  if (cones.some((other) => other.vertex === vertex)) return;
-  const moved = { vertex, k: cone.k }; // not in the triangle of a copy of the vertex before
-  const changed = cones.map((one, i) => (i === index ? moved : one));
-  setCones(app, changed, `move cone: ${drag}`);
+  const moved = withPairAt(cones, index, vertex, oppositeIn(app));
+  if (moved) setCones(app, moved, `move cone: ${drag}`);
 }
 
 export function deleteCone(app: App, index: number): void {
@@ -109,8 +112,7 @@ export function deleteCone(app: App, index: number): void {
   const cone = cones[index];
   if (!cone || isLocked(app)) return;
   app.doc.selected = -1;
-  const rest = cones.filter((_, i) => i !== index);
-  setCones(app, rest, `delete cone: ${cone.vertex}`);
+  setCones(app, withoutPair(cones, index, oppositeIn(app)), `delete cone: ${cone.vertex}`);
 }
 
 export function clearCones(app: App): void {

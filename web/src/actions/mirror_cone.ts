@@ -3,6 +3,7 @@
 import type { App } from './app';
 import { select, setPrescription } from './edit_cones';
 import { isLocked } from './job';
+import { oppositeIn } from './opposite';
 
 export async function mirrorCone(app: App): Promise<void> {
   const { doc, geometry } = app;
@@ -10,7 +11,11 @@ export async function mirrorCone(app: App): Promise<void> {
   const surface = doc.usableModel?.surface;
   const cone = prescription.cones[selected];
   if (!surface || !cone || isLocked(app)) return;
-  const { vertex, hasPlane } = await geometry.call('opposite', [surface.id, cone.vertex]);
+  const known = oppositeIn(app)(cone.vertex);
+  const { vertex, hasPlane } =
+    known < 0
+      ? await geometry.call('opposite', [surface.id, cone.vertex])
+      : { vertex: known, hasPlane: true };
   if (doc.prescription !== prescription) return; // edited in the meantime
   if (!hasPlane) return doc.say('This surface is not its own mirror image in any plane.', 'error');
   if (vertex === cone.vertex)

@@ -56,7 +56,8 @@ class FeaturesPanel extends Panel {
     const found = info.features?.creaseChains ?? 0;
     const isOffered = hasLongCreases(info) && !features;
     const keeps = features !== undefined && !choosesCones;
-    return `${isOffered ? `This model has ${plural(found, 'long crease')}. ` : ''}These edges become straight lines of the map, exactly; Run ${keeps ? 'keeps the cones that are placed' : 'chooses cones that fit'}.`;
+    const pairs = features?.isSymmetric ? ' Cones are placed and moved in pairs.' : '';
+    return `${isOffered ? `This model has ${plural(found, 'long crease')}. ` : ''}These edges become straight lines of the map, exactly; Run ${keeps ? 'keeps the cones that are placed' : 'chooses cones that fit'}.${pairs}`;
   }
 
   #chosen(loops: number): TemplateResult | typeof nothing {

@@ -12,6 +12,7 @@ import { creaseNormals } from './geometry/crease_normals';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
 import { flatPositions } from './geometry/flat_positions';
 import { loopSegments } from './geometry/handle_loops';
+import { mirrorImages } from './geometry/mirror_images';
 import { Mirror } from './geometry/mirror_plane';
 import { overlayColours } from './geometry/overlay_colours';
 import { poissonSamples, spacingOf, type Sample } from './geometry/poisson_samples';
@@ -240,6 +241,7 @@ const calls: GeometryCalls = {
     mirrors.set(surface, mirror);
     return { vertex: mirror.opposite(vertex), hasPlane: mirror.plane !== undefined };
   },
+  images: (id, plane, distance) => mirrorImages(surfaceOf(id), plane, distance),
   forget(oldSurfaces, oldMaps) {
     for (const id of oldSurfaces) surfaces.delete(id);
     for (const id of oldMaps) maps.delete(id);

@@ -4,6 +4,7 @@ import type { SurfaceFacts } from 'hgp';
 import type { ScenePart, SerializedBvh } from '../../model/scene';
 import type { Analysis, OutputFile, Overlay, Surface } from '../../model/types';
 import type { AnalysisRequest, CompareRequest, MapArrays } from './analyse';
+import type { Plane } from './mirror_plane';
 import type { SurfaceArrays } from './placed_surface';
 
 type OfSurface = 'positions' | 'triangles';
@@ -51,6 +52,8 @@ export interface GeometryCalls {
   mapBvh(id: number): SerializedBvh;
   /** The vertex opposite to one in the plane of symmetry: itself if it is on the plane, −1 if there is none. */
   opposite(surface: number, vertex: number): { vertex: number; hasPlane: boolean };
+  /** Per vertex the one at its mirror image in a plane, up to a distance: itself in the plane, −1 if there is none. */
+  images(surface: number, plane: Plane, distance: number): Int32Array;
   forget(surfaces: number[], maps: number[]): void;
 }
 

@@ -233,6 +233,39 @@ test(
 );
 
 test(
+  'keys that move the focus, the view or the splitter leave those with Ctrl, ⌘ or Alt to the browser',
+  { skip },
+  async (t) => {
+    // prettier-ignore
+    const { app, told } = await pageWithKeys(t);
+    const { doc, ui } = app;
+    const { listenToSplitter } = await import('../../../web/src/input/splitter.ts');
+    const splitter = $('#splitter');
+    listenToSplitter(splitter, ui);
+    ui.setAutomatic(false);
+    await runNow(app);
+    doc.selected = 1;
+    await drawn();
+    const keys = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End', 'PageUp', 'PageDown', '3', 'n', 'm', 'c', 'Delete']; // prettier-ignore
+    const table = $$('#cones tbody tr')[1].querySelectorAll('button')[1];
+    const tool = $('#tool-place');
+    for (const target of [table, tool, $('#view'), $('#map'), splitter]) {
+      for (const modifier of ['ctrlKey', 'metaKey', 'altKey']) {
+        for (const key of keys) {
+          target.focus();
+          const [{ prescription, selected }, { length }, { split }] = [doc, told, ui];
+          const isTaken = await press(target, key, { [modifier]: true });
+          const what = `${target.id} ${modifier} ${key}`;
+          assert.equal(isTaken, false, what);
+          assert.equal(document.activeElement, target, what);
+          assert.deepEqual([doc.prescription === prescription, doc.selected, told.length, ui.split], [true, selected, length, split], what); // prettier-ignore
+        }
+      }
+    }
+  },
+);
+
+test(
   'actions are found by their words; what cannot be done says why; Enter does the first',
   { skip },
   async (t) => {

@@ -1,5 +1,6 @@
 // The divider between the two views, which can be dragged, moved with the arrow keys, or clicked.
 
+import { hasModifier } from '../model/modifiers';
 import type { UiState } from '../model/ui_state';
 
 const places = [30, 58, 80]; // percent; each click moves to the next
@@ -22,7 +23,7 @@ export function listenToSplitter(splitter: HTMLElement, ui: UiState): void {
     ui.setSplit((100 * (event.clientX - left)) / (right - left));
   });
   splitter.addEventListener('keydown', (event) => {
-    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    if ((event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') || hasModifier(event)) return;
     event.preventDefault();
     ui.setSplit(ui.split + (event.key === 'ArrowLeft' ? -4 : 4));
   });

@@ -1,5 +1,7 @@
 // A toolbar or list of tabs is a single Tab stop; arrow keys move inside it, Home and End to its ends.
 
+import { hasModifier } from '../model/modifiers';
+
 const steps: Record<string, number> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 
 function itemsOf(group: HTMLElement): HTMLElement[] {
@@ -15,7 +17,7 @@ export function roveFocus(event: KeyboardEvent): void {
   const target = event.target as HTMLElement;
   const isEnd = event.key === 'Home' || event.key === 'End';
   const step = steps[event.key];
-  if ((!step && !isEnd) || usesArrows(target)) return;
+  if ((!step && !isEnd) || usesArrows(target) || hasModifier(event)) return;
   const items = itemsOf(group);
   const at = items.indexOf(target);
   if (at < 0) return;

@@ -1,5 +1,7 @@
 // A table of controls is a single Tab stop: arrow keys move between its controls, Home and End to the ends of a row.
 
+import { hasModifier } from '../model/modifiers';
+
 const controls = 'button, input';
 
 const itemsOf = (row: Element): HTMLElement[] => [...row.querySelectorAll<HTMLElement>(controls)];
@@ -47,7 +49,7 @@ function target(event: KeyboardEvent, table: HTMLElement): HTMLElement | undefin
 }
 
 export function moveInTable(event: KeyboardEvent): void {
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (hasModifier(event)) return;
   const to = target(event, event.currentTarget as HTMLElement);
   if (!to) return;
   event.preventDefault();

@@ -225,8 +225,9 @@ constexpr Phrase kOthers[] = {
      "plane of symmetry has edges in it. The written mesh has {vertices} vertices and {triangles} "
      "triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids."},
     {"features-contradict",
-     "The lengths of features contradict each other: {edges|feature edge} would have no length, "
-     "whatever the map (see conflict). Leave out one of these."},
+     "The lengths of features contradict each other, or leave a cone no place between them: "
+     "{edges|feature edge} would have no length, whatever the map (see conflict). Leave out one of "
+     "these."},
     {"features-straightened",
      "{steps|step} of features would have no length, because the lines around allow none; the "
      "map goes straight on there."},

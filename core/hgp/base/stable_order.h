@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace hgp {
@@ -10,5 +11,16 @@ namespace hgp {
 /// The numbers below `count`, sorted; of two of which neither is before the other, the lower one comes first.
 std::vector<std::size_t> stableOrder(std::size_t count,
                                      const std::function<bool(std::size_t, std::size_t)>& isBefore);
+
+/// std::stable_sort for lists that are short beside what is done with them: one sort for all types.
+template <class T, class Less>
+void sortStably(std::vector<T>& list, const Less& less) {
+  const std::vector<std::size_t> order = stableOrder(
+      list.size(), [&](std::size_t a, std::size_t b) { return less(list[a], list[b]); });
+  std::vector<T> sorted;
+  sorted.reserve(list.size());
+  for (const std::size_t i : order) sorted.push_back(std::move(list[i]));
+  list = std::move(sorted);
+}
 
 }  // namespace hgp

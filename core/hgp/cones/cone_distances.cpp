@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "hgp/base/portable_math.h"
+#include "hgp/base/stable_order.h"
 
 namespace hgp {
 
@@ -85,8 +86,7 @@ std::vector<ConeDistances::Pair> ConeDistances::closer(const NodeDefects& defect
   pairs.reserve(shortest.size());
   for (const auto& [ends, length] : shortest)
     pairs.push_back({VertexId(ends.first), VertexId(ends.second), length});
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& x, const Pair& y) { return x.distance < y.distance; });
+  sortStably(pairs, [](const Pair& x, const Pair& y) { return x.distance < y.distance; });
   return pairs;
 }
 

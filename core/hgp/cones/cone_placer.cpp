@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "hgp/base/stable_order.h"
+
 namespace hgp {
 namespace {
 
@@ -127,8 +129,7 @@ std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
     const UnitMove move{n, end, d};
     if (move.to != n && isAllowed(move)) found.push_back({move, d * change});
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Found& a, const Found& b) { return a.change < b.change; });
+  sortStably(found, [](const Found& a, const Found& b) { return a.change < b.change; });
   std::vector<UnitMove> moves;
   moves.reserve(found.size());
   for (const Found& f : found) moves.push_back(f.move);

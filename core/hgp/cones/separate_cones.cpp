@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hgp/base/portable_math.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/cones/cone_distances.h"
 #include "hgp/cones/cone_placer.h"
 #include "hgp/mesh/vectors.h"
@@ -77,7 +78,7 @@ std::vector<ConePlacer::PricedMove> ConePlacer::waysApart(ConeDistances& distanc
     if (!keepsCount_ && fits(j, defects_[at(j)] + d)) offer({i, j, d});
     if (const int node = nodeAside(distances, from, least, g); node >= 0) offer({i, node, d});
   }
-  std::stable_sort(ways.begin(), ways.end(), isCheaper);
+  sortStably(ways, isCheaper);
   ways.resize(std::min(ways.size(), kWaysMeasured));
   return ways;
 }
@@ -106,7 +107,7 @@ std::vector<ConePlacer::PricedMove> ConePlacer::cheapestOfEach(
   chosen.reserve(groups.size());
   for (const auto& group : groups)
     chosen.push_back(*std::min_element(group.begin(), group.end(), isCheaper));
-  std::stable_sort(chosen.begin(), chosen.end(), isCheaper);
+  sortStably(chosen, isCheaper);
   return chosen;
 }
 
@@ -185,7 +186,7 @@ bool ConePlacer::mergeDownhill(const std::vector<ConeDistances::Pair>& pairs,
     }
     if (best && std::none_of(moves.begin(), moves.end(), isTouched)) moves.push_back(*best);
   }
-  std::stable_sort(moves.begin(), moves.end(), isCheaper);
+  sortStably(moves, isCheaper);
   for (std::size_t count = moves.size(); count > 0; count /= 2)
     if (applyAll(moves, 0, count, limits)) return true;
   return false;

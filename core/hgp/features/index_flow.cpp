@@ -1,8 +1,7 @@
 #include "hgp/features/index_flow.h"
 
-#include <algorithm>
-
 #include "hgp/base/counted.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/features/index_paths.h"
 
 namespace hgp {
@@ -45,7 +44,7 @@ class IndexFlow {
       return ++visited < kMaxVisited;
     });
     const auto isCheaper = [](const IndexMove& a, const IndexMove& b) { return a.cost < b.cost; };
-    std::stable_sort(moves.begin(), moves.end(), isCheaper);
+    sortStably(moves, isCheaper);
     if (moves.size() > most) moves.resize(most);
     return moves;
   }

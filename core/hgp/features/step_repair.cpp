@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hgp/base/stable_order.h"
 #include "hgp/features/fitted_field.h"
 #include "hgp/features/index_flow.h"
 
@@ -57,8 +58,7 @@ std::vector<FeatureStep> findSteps(const TriMesh& mesh, const Geometry& geometry
       if (std::none_of(found.begin(), found.end(), isSame))
         found.push_back({length, std::move(step)});
     }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Found& a, const Found& b) { return a.length < b.length; });
+  sortStably(found, [](const Found& a, const Found& b) { return a.length < b.length; });
   std::vector<FeatureStep> steps;
   steps.reserve(found.size());
   for (Found& f : found) steps.push_back(std::move(f.step));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/field/nearest_lattice_point.h"
 #include "hgp/field/open_turning.h"
 
@@ -181,8 +182,7 @@ std::vector<std::vector<int>> otherHandles(const TriMesh& mesh, const FieldConte
       choices.push_back(std::move(choice));
     }
   }
-  std::stable_sort(choices.begin(), choices.end(),
-                   [](const Choice& a, const Choice& b) { return a.energy < b.energy; });
+  sortStably(choices, [](const Choice& a, const Choice& b) { return a.energy < b.energy; });
   std::vector<std::vector<int>> out;
   out.reserve(choices.size());
   for (Choice& choice : choices) out.push_back(std::move(choice.handles));

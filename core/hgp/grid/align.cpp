@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/grid/align_work.h"
 #include "hgp/grid/grid_measures.h"
 #include "hgp/grid/grid_system.h"
@@ -88,9 +89,8 @@ class Aligner {
     if (isDone() || secondChoice_) return;
     // A map without flipped triangles that the verifier refused cannot be repaired here.
     std::erase_if(candidates, [](const Candidate& candidate) { return candidate.turned.empty(); });
-    std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-      return a.turned.size() < b.turned.size();
-    });
+    sortStably(candidates,
+               [](const auto& a, const auto& b) { return a.turned.size() < b.turned.size(); });
     candidates.resize(std::min(candidates.size(), kRepairedAgain));
     for (Candidate& candidate : candidates)
       if (repairOnPatches(candidate, 4 * rings())) return;

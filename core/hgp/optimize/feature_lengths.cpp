@@ -73,15 +73,22 @@ LengthRows lengthRows(const StraightSystem& straight) {
   RealRow row(straight.unknowns, index, std::vector<double>(index.size(), 0.0));
   std::vector<int> column(index.size(), -1);
   LengthRows G;
-  for (const StraightEdge& edge : straight.edges) {
-    const double scale = (edge.heading < 2 ? 1.0 : -1.0) / s.geometry.length[edge.h];
-    row.add(s.cut.copy[TriMesh::next(edge.h)].i, edge.heading % 2, scale);
-    row.add(s.cut.copy[edge.h].i, edge.heading % 2, -scale);
+  const auto take = [&] {
     std::vector<LengthRows::Entry>& entries = G.rows.emplace_back();
     row.take([&](int unknown, double value) {
       if (column[at(unknown)] < 0) column[at(unknown)] = G.unknowns++;
       entries.push_back({column[at(unknown)], value});
     });
+  };
+  for (const StraightEdge& edge : straight.edges) {
+    const double scale = (edge.heading < 2 ? 1.0 : -1.0) / s.geometry.length[edge.h];
+    row.add(s.cut.copy[TriMesh::next(edge.h)].i, edge.heading % 2, scale);
+    row.add(s.cut.copy[edge.h].i, edge.heading % 2, -scale);
+    take();
+  }
+  for (const TurnedSum& sum : straight.distances) {
+    addTo(row, sum, 1.0);
+    take();
   }
   return G;
 }
@@ -148,10 +155,11 @@ LengthFit fitLengths(const StraightSystem& straight) {
   out.isPossible = largest < kDoubt && out.flat.empty();
   if (largest < kDoubt) return out;
   const auto shortOf = [&](std::size_t e) { return r[static_cast<Eigen::Index>(e)]; };
-  for (const std::size_t e : stableOrder(straight.edges.size(), [&](std::size_t a, std::size_t b) {
-         return shortOf(a) > shortOf(b);
-       }))
-    if (shortOf(e) > kShortShare * largest) out.edges.push_back(straight.edges[e].h);
+  const std::size_t edges = straight.edges.size();
+  for (const std::size_t e : stableOrder(
+           G.rows.size(), [&](std::size_t a, std::size_t b) { return shortOf(a) > shortOf(b); }))
+    if (shortOf(e) > kShortShare * largest)
+      out.edges.push_back(e < edges ? straight.edges[e].h : straight.distances[e - edges].side);
   return out;
 }
 

@@ -241,6 +241,12 @@ class StraightProgram {
       });
       if (isFree) edges_.push_back(e.h);
     }
+    for (const TurnedSum& sum : in_.distances) {
+      const double scale = 1.0 / scaleAt(sum.side);
+      const bool isFree =
+          addConstraint(row, 1, {o_.margin, 0.0, 0.0}, [&](int) { addTo(row, sum, scale); });
+      if (isFree) edges_.push_back(sum.side);
+    }
   }
 
   void addFrames(RealRow& row) {
@@ -298,6 +304,14 @@ class StraightProgram {
 };
 
 }  // namespace
+
+void addTo(RealRow& row, const TurnedSum& sum, double factor) {
+  for (const TurnedSum::Term& t : sum.terms) {
+    const int turn = reduceTurn(t.turn, 4);
+    const double value = factor * t.factor;
+    row.add(t.copy, turn % 2, turn == 1 || turn == 2 ? -value : value);
+  }
+}
 
 Eigen::MatrixXd straightCovariance(const StraightSystem& straight, const StraightOptions& options,
                                    const std::vector<int>& variables) {

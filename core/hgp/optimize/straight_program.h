@@ -4,6 +4,7 @@
 
 #include "hgp/features/real_unknowns.h"
 #include "hgp/optimize/program.h"
+#include "hgp/optimize/real_row.h"
 
 namespace hgp {
 
@@ -13,13 +14,28 @@ struct StraightEdge {
   int heading = 0;  ///< 0 … 3
 };
 
+/// A sum of coordinates that is positive in every map: Σ Re(i^turn z_copy) factor.
+struct TurnedSum {
+  struct Term {
+    int copy;
+    int turn;  ///< any integer
+    double factor;
+  };
+  std::vector<Term> terms;
+  HalfedgeId side;  ///< the feature edge that it belongs to
+};
+
 /// References only; the objects must outlive it.
 struct StraightSystem {
   const SeamlessSystem& system;
   const RealUnknowns& unknowns;            ///< of system.unknowns.copies and the edges' equations
   const std::vector<StraightEdge>& edges;  ///< one side of every feature edge
+  const std::vector<TurnedSum>& distances;
   const PerVertex<char>& hasRow;  ///< harmonic: inner vertices off features that are no cones
 };
+
+/// Adds a sum times a factor.
+void addTo(RealRow& row, const TurnedSum& sum, double factor);
 
 struct StraightOptions {
   PerVertex<double> u;  ///< as ProgramOptions::u

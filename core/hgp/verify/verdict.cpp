@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/base/turns.h"
 
 namespace hgp {
@@ -23,8 +24,7 @@ Where whereEdge(const TriMesh& mesh, HalfedgeId h) {
 /// Worst first; equally bad places by their order, so that reports do not depend on the sort.
 std::vector<Where> worstPlaces(std::vector<Place> places, int limit) {
   const auto shown = std::min(places.size(), static_cast<std::size_t>(std::max(limit, 0)));
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.badness > b.badness; });
+  sortStably(places, [](const Place& a, const Place& b) { return a.badness > b.badness; });
   std::vector<Where> where;
   for (std::size_t n = 0; n < shown; ++n) where.push_back(places[n].where);
   return where;

@@ -6,6 +6,7 @@
 #include "hgp/base/counted.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/mesh/edge_table.h"
 #include "hgp/mesh/repair/repair_steps.h"
 #include "hgp/mesh/vectors.h"
@@ -45,7 +46,7 @@ std::vector<std::pair<int, int>> pairSides(const MeshData& mesh, const EdgeTable
       const bool isHollow = dot(cross(p, q), along) > 0.0;
       candidates.push_back({std::round(dot(p, q) * 1e6), isHollow, *s, *t});
     }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& x, const auto& y) {
+  sortStably(candidates, [](const auto& x, const auto& y) {
     return x.bend != y.bend ? x.bend < y.bend : x.isHollow < y.isHollow;
   });
   std::vector<std::pair<int, int>> pairs;

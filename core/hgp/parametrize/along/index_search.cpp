@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "hgp/base/stable_order.h"
 #include "hgp/features/fitted_field.h"
 #include "hgp/features/index_flow.h"
 #include "hgp/features/step_repair.h"
@@ -124,8 +125,7 @@ class Search {
         for (IndexMove& move :
              cheapestMoves(surface_.mesh(), geometry, field_, node, sign, kMovesPerNode))
           moves.push_back(std::move(move));
-    std::stable_sort(moves.begin(), moves.end(),
-                     [](const IndexMove& a, const IndexMove& b) { return a.cost < b.cost; });
+    sortStably(moves, [](const IndexMove& a, const IndexMove& b) { return a.cost < b.cost; });
     return moves;
   }
 

@@ -6,6 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/features/cone_scale.h"
 #include "hgp/features/field_along.h"
+#include "hgp/optimize/lone_cones.h"
 #include "hgp/parametrize/stage_clock.h"
 
 namespace hgp {
@@ -116,6 +117,7 @@ Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vecto
     if (mesh.isIsolated(v) || setup.aligned.sectors.isOnFeature[v]) setup.hasRow[v] = 0;
   for (VertexId v : seamless.cones) setup.hasRow[v] = 0;
   setup.base = baseFaces(mesh, setup);
+  setup.distances = distancesOfLoneCones(systemOf(mesh, seamless), setup.edges, setup.aligned);
   clock.end();
   return setup;
 }

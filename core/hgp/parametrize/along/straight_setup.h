@@ -12,6 +12,7 @@ struct StraightSetup {
   AlignedField aligned;
   RealUnknowns unknowns;
   std::vector<StraightEdge> edges;
+  std::vector<TurnedSum> distances;  ///< of cones from sides
   PerVertex<char> hasRow;
   std::vector<FaceId>
       base;  ///< the triangles at cones off features, and in sectors of index 3 and more
@@ -30,7 +31,7 @@ Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vecto
                                       std::vector<StageTime>& times);
 
 inline StraightSystem straightSystemOf(const StraightSetup& setup, const SeamlessSystem& system) {
-  return {system, setup.unknowns, setup.edges, setup.hasRow};
+  return {system, setup.unknowns, setup.edges, setup.distances, setup.hasRow};
 }
 
 }  // namespace hgp

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hgp/base/stable_order.h"
+
 namespace hgp::io {
 namespace {
 
@@ -105,7 +107,7 @@ std::string JsonPatch::text() const {
     insert(object, items);
   }
   // An insertion comes after an edit that ends where it begins.
-  std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
+  sortStably(edits, [](const Edit& a, const Edit& b) {
     return a.begin != b.begin ? a.begin < b.begin : a.end < b.end;
   });
   std::string out;

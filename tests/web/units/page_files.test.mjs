@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { beside, blocks, eight } from '../../support/blocks.mjs';
 import { cubeMesh, packGlb, toGlb, toGltf, toObj, toOff } from '../../support/meshes.mjs';
+import { flatSquare } from '../shapes.mjs';
 import { $, $$, choose, click, drawn, openFiles, openPage, runNow, saved, skip, textOf, until } from './whole_page.mjs'; // prettier-ignore
 
 const { runJob } = await import('../../../web/src/actions/job.ts');
@@ -298,6 +299,61 @@ test(
     await choose('#follow-rims', true);
     await click('#features-clear');
     assert.deepEqual([doc.features, $('#features-note')], [undefined, null]);
+  },
+);
+
+test(
+  'a file that carries cones and the edges that lines follow opens with both, and Run keeps them',
+  { skip },
+  async (t) => {
+    const open = blocks(['##'], { n: 3, open: ['0 0 +z', '1 0 +z'] });
+    const app = await pageWith(t, { 'tray.glb': toGlb([open]) });
+    const { doc, ui } = app;
+    ui.setAutomatic(false);
+    await choose('#follow-rims', true);
+    await choose('#follow-creases', true);
+    await until(() => doc.features.hasCreases);
+    await runNow(app);
+    const { prescription, features } = doc;
+    const [{ bytes }] = doc.current.files;
+    const { clearFeatures } = await import('../../../web/src/actions/features.ts');
+    const { importCones } = await import('../../../web/src/actions/edit_cones.ts');
+    const sizes = ({ edges, rims, hasRims, keepsCones }) => [edges.length, rims.length, hasRims, keepsCones]; // prettier-ignore
+    const kept = [features.edges.length, features.rims.length, true, true];
+    await openFiles(app, { 'again.glb': bytes });
+    await until(() => doc.model?.main === 'again.glb' && !doc.isBusy);
+    assert.deepEqual(sizes(doc.features), kept);
+    assert.equal(doc.prescription.cones.length, prescription.cones.length);
+    assert.deepEqual(doc.prescription.turnings, [null]);
+    assert.match(status(), /cones came with the file, with edges that lines follow\./);
+    assert.equal($('#keep-cones').checked, true);
+    const before = doc.prescription;
+    await runNow(app);
+    assert.deepEqual([doc.stateName, doc.prescription], ['certified', before]);
+    assert.match(textOf($('#features-note')), /^Lines follow \d+ creases and 1 rim/);
+    // As a file of cones, too; cones without edges leave the edges as they are.
+    const cones = await doc.model.solver.embeddedCones();
+    clearFeatures(app);
+    await importCones(app, 'own.json', JSON.stringify(cones));
+    assert.deepEqual(sizes(doc.features), kept);
+    assert.deepEqual(doc.prescription.turnings, [null]);
+    assert.match(status(), /imported from own\.json, with edges that lines follow\./);
+    const { features: chosen } = doc;
+    await importCones(app, 'plain.json', JSON.stringify({ ...cones, features: undefined }));
+    assert.deepEqual([doc.features, doc.prescription.turnings], [chosen, [cones.boundaries[0].l]]);
+    assert.match(status(), /imported from plain\.json\.$/);
+    // Without a cone the edges are all that the file carries.
+    await openFiles(app, { 'flat.glb': toGlb([flatSquare(4)]) });
+    await until(() => doc.model?.main === 'flat.glb' && !doc.isBusy);
+    await choose('#follow-rims', true);
+    await runNow(app);
+    const [flat] = doc.current.files;
+    await openFiles(app, { 'rims.glb': flat.bytes });
+    await until(() => doc.model?.main === 'rims.glb' && !doc.isBusy);
+    assert.deepEqual(sizes(doc.features), [0, 16, true, true]);
+    assert.match(status(), /^Edges that lines follow came with the file\./);
+    await runNow(app);
+    assert.equal(doc.stateName, 'certified');
   },
 );
 

@@ -3,6 +3,7 @@
 import { withKOfPair, withoutPair, withPair, withPairAt } from '../model/cone_pairs';
 import { leftAt, suggestedK } from '../model/gauss_bonnet';
 import {
+  alongFeatures,
   fromCones,
   isSilent,
   orders,
@@ -19,6 +20,7 @@ import { describeError } from '../text/error_messages';
 import { listed, plural } from '../text/format';
 import type { App } from './app';
 import { isLocked } from './job';
+import { andLines, takeFeaturesOf } from './keep_features';
 import { oppositeIn } from './opposite';
 
 /** The only function that changes the prescription. `kind` is "verb: field" for undo. */
@@ -206,11 +208,14 @@ export async function importCones(app: App, name: string, text: string): Promise
   if (!model || isLocked(app)) return;
   try {
     const cones = await model.solver.readCones({ name, text, q: doc.prescription.q });
-    if (doc.model !== model) return; // another file was opened in the meantime
+    if (doc.model !== model || isLocked(app)) return; // another file or a run in the meantime
     const { turnings, handles } = doc.prescription;
-    setPrescription(app, fromCones(cones, turnings.length, handles.length), 'import cones');
     doc.takeField(hasDirections(name) ? { name, text } : undefined);
-    doc.say(`${plural(cones.cones.length, 'cone')} imported from ${name}.`);
+    const hasLines = takeFeaturesOf(app, cones);
+    const own = hasLines ? alongFeatures(cones) : cones;
+    setPrescription(app, fromCones(own, turnings.length, handles.length), 'import cones');
+    const lines = hasLines ? andLines : '';
+    doc.say(`${plural(cones.cones.length, 'cone')} imported from ${name}${lines}.`);
   } catch (error) {
     doc.say(describeError(error, name), 'error');
   }

@@ -2,6 +2,7 @@
 
 import type { Model as SolverModel, ModelInfo } from 'hgp';
 import {
+  alongFeatures,
   emptyPrescription,
   fromCones,
   isSilent,
@@ -16,6 +17,7 @@ import { plural } from '../text/format';
 import { describeTransfer } from '../text/transfer';
 import { solverOf, type App } from './app';
 import { setPrescription } from './edit_cones';
+import { andLines, takeFeaturesOf } from './keep_features';
 import type { JobCall } from './job';
 
 export const emptyFor = (q: number, info: ModelInfo): Prescription =>
@@ -92,12 +94,18 @@ export async function findCones(app: App, model: Model, call: JobCall): Promise<
   const { doc } = app;
   const { turnings, handles } = doc.prescription;
   const embedded = await model.solver.embeddedCones().catch(() => null);
-  if (!embedded || embedded.cones.length === 0)
+  const hasLines = embedded !== null && takeFeaturesOf(app, embedded);
+  if (!embedded || (embedded.cones.length === 0 && !hasLines))
     return void (await moveFromPrevious(app, model, call));
   doc.previous = undefined;
-  doc.begin(fromCones(embedded, turnings.length, handles.length));
+  const cones = hasLines ? alongFeatures(embedded) : embedded;
+  doc.begin(fromCones(cones, turnings.length, handles.length));
   doc.hasUserCones = true;
-  const text = `${plural(embedded.cones.length, 'cone')} came with the file.`;
+  const what = `${plural(embedded.cones.length, 'cone')} came with the file`;
+  const text =
+    embedded.cones.length > 0
+      ? `${what}${hasLines ? andLines : ''}.`
+      : 'Edges that lines follow came with the file.';
   doc.message = { kind: 'note', text };
 }
 

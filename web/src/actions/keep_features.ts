@@ -1,6 +1,7 @@
 // Edges that lines follow, on another reading of the surface.
 
-import { EdgeMap, hasFeatures, type FeatureChoice } from '../model/features';
+import type { Cones } from 'hgp';
+import { edgesAlong, EdgeMap, hasFeatures, type FeatureChoice } from '../model/features';
 import type { Surface } from '../model/types';
 import { count, plural } from '../text/format';
 import type { App } from './app';
@@ -27,6 +28,19 @@ export function keepFeatures(app: App, before: FeatureChoice | undefined): strin
   return before.hasRims && !kept.hasRims
     ? ' There is no rim any more that lines could follow.'
     : '';
+}
+
+/** What is said of them after the number of cones. */
+export const andLines = ', with edges that lines follow';
+
+/** Takes the edges of cones that were read from a file, which are then kept along them; whether there are any. */
+export function takeFeaturesOf(app: App, { features }: Cones): boolean {
+  const map = edgeMap(app);
+  const edges = edgesAlong(features);
+  if (!map || (edges.length === 0 && !features?.rims)) return false;
+  const hasRims = features?.rims === true || edges.some((edge) => map.isRim(edge));
+  takeFeatures(app, { hasCreases: false, hasRims, edges, keepsCones: true });
+  return app.doc.features !== undefined;
 }
 
 /** Takes a choice from elsewhere, as far as the open surface has its edges. */

@@ -4,7 +4,7 @@ import { HgpError, type Cones, type SuggestOptions, type UvMap } from 'hgp';
 import { describeFollowed } from '../model/features';
 import { gridOutcome, sameTiles } from '../model/grid';
 import { plainOutput } from '../model/plain';
-import { fromCones } from '../model/prescription';
+import { alongFeatures, fromCones } from '../model/prescription';
 import { requestOf, runOptions } from '../model/request';
 import type {
   GridSettings,
@@ -153,9 +153,7 @@ export async function solve(
     ? await solveAutomatic(app, model, options, call)
     : { ...(await solveAligned(app, model, options, call)), step: coneStep };
   doc.coneStep = step;
-  // Along features, turnings and handles are those of the field of these cones, and others where a cone is moved.
-  const { q, cones } = map.cones;
-  const chosen = features ? { q, cones } : map.cones;
+  const chosen = features ? alongFeatures(map.cones) : map.cones;
   const prescription = choosesCones
     ? fromCones(chosen, turnings.length, handles.length)
     : doc.prescription;

@@ -52,12 +52,11 @@ export function sameFeatures(a: FeatureChoice | undefined, b: FeatureChoice | un
 }
 
 /** The edges of a list of features as hgp-cones. */
-export function edgesOf(text: string): Edge[] {
-  const { features } = JSON.parse(text) as { features?: { lines?: { vertices: number[] }[] } };
-  return (features?.lines ?? []).flatMap(({ vertices }) =>
-    vertices.slice(1).map((v, i): Edge => [vertices[i], v]),
-  );
-}
+export const edgesOf = (text: string): Edge[] =>
+  edgesAlong((JSON.parse(text) as { features?: Features }).features);
+
+export const edgesAlong = ({ lines = [] }: Features = {}): Edge[] =>
+  lines.flatMap(({ vertices }) => vertices.slice(1).map((v, i): Edge => [vertices[i], v]));
 
 /** With a chain of edges, or without it. */
 export function withChain(

@@ -60,6 +60,9 @@ export function fromCones(cones: Cones, loops: number, generators: number): Pres
   };
 }
 
+/** Cones along features: turnings and handles are those of the field of these cones, and others where a cone is moved. */
+export const alongFeatures = ({ q, cones }: Cones): Cones => ({ q, cones });
+
 /** The prescription with all indices multiplied by q′/q; undefined if one is then not an integer. */
 export function withOrder(prescription: Prescription, q: number): Prescription | undefined {
   const convert = (n: number): number => (n * q) / prescription.q;

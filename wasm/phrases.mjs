@@ -10,7 +10,7 @@ const root = path.resolve(import.meta.dirname, '..');
 const style = await prettier.resolveConfig(path.join(root, 'package.json'));
 
 /** The sources of the catalogue in core/hgp/base. */
-export const catalogueFiles = ['defect_phrases.cpp', 'phrases.cpp'];
+export const catalogueFiles = ['defect_phrases.cpp', 'phrases.cpp', 'map_phrases.cpp'];
 
 /** The catalogue: code → template. */
 export function readCatalogue() {

@@ -39,7 +39,7 @@ struct NoteValue {
   bool operator==(const NoteValue&) const = default;
 };
 
-/// {code, values, where}. The code is one of the catalogue (phrases.cpp); it stays what it is when words change.
+/// {code, values, where}. The code is one of the catalogue (phrase.h); it stays what it is when words change.
 struct Note {
   std::string code;
   std::vector<NoteValue> values;

@@ -142,8 +142,9 @@ void append(std::string& out, std::string_view between, const std::string& sente
 }  // namespace
 
 std::string phrase(const Note& note) {
-  if (auto sentence = phraseOf(note, otherPhrases())) return *sentence;
-  return phraseOf(note, defectPhrases()).value_or(note.code);
+  for (const std::span<const Phrase> some : {otherPhrases(), mapPhrases(), defectPhrases()})
+    if (auto sentence = phraseOf(note, some)) return *sentence;
+  return note.code;
 }
 
 std::string phrase(const Notes& notes, std::string_view between) {

@@ -22,8 +22,9 @@ struct Phrase {
   std::string_view code, text;
 };
 
-/// The codes of defects, and all others. The two are apart because the core phrases defects itself, and only these.
+/// The codes of defects, those of maps, and all others. Defects are apart because the core phrases them itself, and only these.
 std::span<const Phrase> defectPhrases();
+std::span<const Phrase> mapPhrases();
 std::span<const Phrase> otherPhrases();
 
 /// The sentence; the code itself if the catalogue does not have it, and "?" for a value that is missing.

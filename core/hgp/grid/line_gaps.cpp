@@ -62,12 +62,6 @@ class GapFinder {
     Complex at;
     int direction;
   };
-  /// A step from one face to the next, with the direction in both.
-  struct Step {
-    HalfedgeId over;
-    int before, after;
-  };
-
   bool isFeature(HalfedgeId h) const { return p_.sectors.isFeature[mesh_.edge(h)] != 0; }
   int copyAt(HalfedgeId h) const { return p_.cut.copy[h].i; }
   Complex at(HalfedgeId h) const { return p_.z[hgp::at(copyAt(h))]; }
@@ -84,21 +78,12 @@ class GapFinder {
   }
   bool isSeam(HalfedgeId h) const { return p_.cut.isSeam[mesh_.edge(h)] != 0; }
 
-  void add(RealSum& sum, int copy, int direction, double factor) const {
-    const int d = reduceTurn(direction, 4);
-    addTo(sum, partOf(p_.unknowns, copy, d % 2), d < 2 ? factor : -factor);
+  SeamStep stepOver(HalfedgeId h, int before, int after) const {
+    return {copyAt(h), copyAt(TriMesh::next(mesh_.twin(h))), before, after};
   }
   /// The way from one copy to another along a direction, over these seams.
-  RealSum along(int from, int direction, const std::vector<Step>& seams, int to) const {
-    RealSum sum;
-    add(sum, from, direction, -1.0);
-    for (const Step& s : seams) {
-      add(sum, copyAt(s.over), s.before, 1.0);
-      add(sum, copyAt(TriMesh::next(mesh_.twin(s.over))), s.after, -1.0);
-      direction = s.after;
-    }
-    add(sum, to, direction, 1.0);
-    return sum;
+  RealSum along(int from, int direction, const std::vector<SeamStep>& seams, int to) const {
+    return wayAlong(p_.unknowns, from, direction, seams, to);
   }
   void keep(RealSum sum, double length, bool isOfCone, bool mayVanish = false) {
     if (sum.empty()) return;
@@ -113,7 +98,7 @@ class GapFinder {
   void trace(Ray ray, int from, bool isOfCone) {
     const int first = ray.direction;
     double length = 0.0;
-    std::vector<Step> seams;
+    std::vector<SeamStep> seams;
     for (int n = 0; n < kLongestRay && length <= reach_; ++n) {
       const Complex d = rotation(ray.direction, 4);
       HalfedgeId over;
@@ -134,7 +119,7 @@ class GapFinder {
       }
       const HalfedgeId twin = mesh_.twin(over);
       const int turn = turnAcross(over);
-      if (isSeam(over)) seams.push_back({over, ray.direction, ray.direction + turn});
+      if (isSeam(over)) seams.push_back(stepOver(over, ray.direction, ray.direction + turn));
       ray = {TriMesh::face(twin), at(TriMesh::next(twin)) + rotation(turn, 4) * (hit - at(over)),
              ray.direction + turn};
     }
@@ -147,8 +132,8 @@ class GapFinder {
     for (int n = 0; n < mesh_.edgeCount(); ++n) {
       const int heading = headingOf(p_, h);
       const HalfedgeId next = TriMesh::next(h);
-      add(sum, copyAt(next), heading, 1.0);
-      add(sum, copyAt(h), heading, -1.0);
+      addAlong(sum, p_.unknowns, copyAt(next), heading, 1.0);
+      addAlong(sum, p_.unknowns, copyAt(h), heading, -1.0);
       length += portable::abs(at(next) - at(h));
       if (p_.isNode[mesh_.head(h)]) break;
       h = p_.sectors.list[hgp::at(p_.sectors.of[next])].first;
@@ -216,7 +201,7 @@ class GapFinder {
       FaceId face;
       Complex shift;  ///< z in the first chart = i^−turn z here + shift
       int turn;
-      std::vector<Step> seams;
+      std::vector<SeamStep> seams;
     };
     const VertexId start = mesh_.tail(first);
     const Complex origin = at(first);
@@ -238,20 +223,21 @@ class GapFinder {
           continue;
         isSeen.insert(next);
         Seen there{next, 0.0, own.turn + turnAcross(h), own.seams};
-        if (isSeam(h)) there.seams.push_back({h, own.turn, there.turn});
+        if (isSeam(h)) there.seams.push_back(stepOver(h, own.turn, there.turn));
         there.shift = place(h) - rotation(-there.turn, 4) * at(TriMesh::next(mesh_.twin(h)));
         queue.push_back(std::move(there));
       }
   }
   /// Whether a sector turns by more than half a turn.
   bool isReflex(std::size_t s) const { return p_.index[hgp::at(mesh_.vertexCount()) + s] >= 3; }
-  void addPair(HalfedgeId from, const std::vector<Step>& seams, HalfedgeId to, const Complex& way) {
+  void addPair(HalfedgeId from, const std::vector<SeamStep>& seams, HalfedgeId to,
+               const Complex& way) {
     if (portable::abs(way) > kPointShare * reach_) return;
     const bool isReal = std::fabs(way.real()) >= std::fabs(way.imag());
     const double length = isReal ? way.real() : way.imag();
     const int direction = (isReal ? 0 : 1) + (length < 0.0 ? 2 : 0);
-    std::vector<Step> steps = seams;
-    for (Step& s : steps) {
+    std::vector<SeamStep> steps = seams;
+    for (SeamStep& s : steps) {
       s.before += direction;
       s.after += direction;
     }
@@ -273,13 +259,6 @@ class GapFinder {
 };
 
 }  // namespace
-
-RealSum partOf(const RealUnknowns& unknowns, int copy, int part) {
-  RealSum sum;
-  for (RealUnknowns::Rows::InnerIterator it(unknowns.rows, 2 * copy + part); it; ++it)
-    sum[static_cast<int>(it.col())] = it.value();
-  return sum;
-}
 
 int headingOf(const StraightPlane& plane, HalfedgeId h) {
   const Complex d =

@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "hgp/cut/cut_mesh.h"
-#include "hgp/features/real_unknowns.h"
 #include "hgp/features/sectors.h"
-#include "hgp/features/sum_relations.h"
+#include "hgp/features/ways.h"
 
 namespace hgp {
 
@@ -31,8 +30,6 @@ struct LineGap {
   bool mayVanish = false;  ///< but not become negative
 };
 
-/// Part `part` (0 real, 1 imaginary) of a copy, in unknowns.
-RealSum partOf(const RealUnknowns& unknowns, int copy, int part);
 /// The direction of a feature halfedge in its face: quarter turns from the u axis.
 int headingOf(const StraightPlane& plane, HalfedgeId h);
 

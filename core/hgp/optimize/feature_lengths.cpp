@@ -86,8 +86,8 @@ LengthRows lengthRows(const StraightSystem& straight) {
     row.add(s.cut.copy[edge.h].i, edge.heading % 2, -scale);
     take();
   }
-  for (const TurnedSum& sum : straight.distances) {
-    addTo(row, sum, 1.0);
+  for (const SideDistance& d : straight.distances) {
+    row.add(d.sum, 1.0 / d.length);
     take();
   }
   return G;

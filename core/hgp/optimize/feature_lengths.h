@@ -17,7 +17,7 @@ struct LengthFit {
 /// excess is 0 if and only if some x gives every edge a positive length: the condition has no other scale. The
 /// shortfalls max(0, 1 − g_e) at the minimum are a Farkas certificate otherwise: Σ_e shortfall_e g_e = 0 identically.
 /// A triangle is flat where a cone and a corner, or vertices of one line, have equal rows.
-/// The distances of cones are lengths, too.
+/// Distances of cones from sides (StraightSystem::distances) are lengths, too, and are listed by the first edge of the side.
 LengthFit fitLengths(const StraightSystem& straight);
 
 }  // namespace hgp

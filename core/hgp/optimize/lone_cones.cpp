@@ -3,8 +3,8 @@
 #include <deque>
 #include <utility>
 
-#include "hgp/base/turns.h"
 #include "hgp/features/step_repair.h"
+#include "hgp/features/ways.h"
 
 namespace hgp {
 namespace {
@@ -69,70 +69,61 @@ std::vector<PatchOfCone> findPatches(const TriMesh& mesh, const AlignedField& al
   return patches;
 }
 
-/// The charts of a patch's faces in that of the first one: z_first = i^turn z + Σ terms.
+/// The ways from the first face of a patch to all others, with a direction that is 0 in the first face's chart.
 class Unfolding {
  public:
+  struct Way {
+    std::vector<SeamStep> steps;
+    int turn = 0;  ///< the direction at the end
+  };
+
   Unfolding(const SeamlessSystem& system, const Sectors& sectors)
-      : s_(system), sectors_(sectors), of_(at(system.mesh.faceCount()), -1) {}
+      : s_(system), sectors_(sectors), wayOf_(at(system.mesh.faceCount()), -1) {}
 
   void unfold(FaceId first) {
-    charts_.assign(1, {});
-    sums_.assign(1, {});
-    of_[first] = 0;
+    ways_.assign(1, {});
+    wayOf_[first] = 0;
     for (std::deque<FaceId> queue{first}; !queue.empty(); queue.pop_front())
       for (int k = 0; k < 3; ++k) {
         const HalfedgeId h = TriMesh::halfedge(queue.front(), k);
         if (sectors_.isFeature[s_.mesh.edge(h)]) continue;
         const FaceId g = TriMesh::face(s_.mesh.twin(h));
-        if (of_[g] >= 0) continue;
-        of_[g] = static_cast<int>(charts_.size());
-        charts_.push_back(across(h));
+        if (wayOf_[g] >= 0) continue;
+        wayOf_[g] = across(h);
         queue.push_back(g);
       }
   }
-  int turnOf(FaceId f) const { return charts_[at(of_[f])].turn; }
-  const std::vector<TurnedSum::Term>& termsOf(FaceId f) const {
-    return sums_[at(charts_[at(of_[f])].sum)];
-  }
+  const Way& to(FaceId f) const { return ways_[at(wayOf_[f])]; }
 
  private:
-  struct Chart {
-    int turn = 0;
-    int sum = 0;  ///< index
-  };
-
-  Chart across(HalfedgeId h) {
-    const HalfedgeId twin = s_.mesh.twin(h);
-    Chart chart = charts_[at(of_[TriMesh::face(h)])];
-    const int here = s_.cut.copy[h].i, there = s_.cut.copy[TriMesh::next(twin)].i;
-    const int rotation = s_.seams.rotation[h];
-    const bool isSeam =
-        here != there || s_.cut.copy[TriMesh::next(h)].i != s_.cut.copy[twin].i || rotation != 0;
-    if (!isSeam) return chart;
-    std::vector<TurnedSum::Term> terms = sums_[at(chart.sum)];
-    terms.push_back({here, chart.turn, 1.0});
-    chart.turn -= rotation;
-    terms.push_back({there, chart.turn, -1.0});
-    chart.sum = static_cast<int>(sums_.size());
-    sums_.push_back(std::move(terms));
-    return chart;
+  /// Faces between which there is no seam share their way.
+  int across(HalfedgeId h) {
+    const int here = wayOf_[TriMesh::face(h)];
+    if (!s_.cut.isSeam[s_.mesh.edge(h)]) return here;
+    Way way = ways_[at(here)];
+    const int before = way.turn;
+    way.turn += s_.seams.rotation[h];
+    way.steps.push_back(
+        {s_.cut.copy[h].i, s_.cut.copy[TriMesh::next(s_.mesh.twin(h))].i, before, way.turn});
+    ways_.push_back(std::move(way));
+    return static_cast<int>(ways_.size()) - 1;
   }
 
   const SeamlessSystem& s_;
   const Sectors& sectors_;
-  PerFace<int> of_;
-  std::vector<Chart> charts_;
-  std::vector<std::vector<TurnedSum::Term>> sums_;
+  PerFace<int> wayOf_;
+  std::vector<Way> ways_;
 };
 
 }  // namespace
 
-std::vector<TurnedSum> distancesOfLoneCones(const SeamlessSystem& system,
-                                            const std::vector<StraightEdge>& edges,
-                                            const AlignedField& aligned) {
+std::vector<SideDistance> distancesOfLoneCones(const SeamlessSystem& system,
+                                               const RealUnknowns& unknowns,
+                                               const std::vector<StraightEdge>& edges,
+                                               const AlignedField& aligned) {
   const TriMesh& mesh = system.mesh;
   const CutMesh& cut = system.cut;
-  std::vector<TurnedSum> distances;
+  std::vector<SideDistance> distances;
   PerEdge<int> edgeOf(at(mesh.edgeCount()), 0);
   for (std::size_t i = 0; i < edges.size(); ++i)
     edgeOf[mesh.edge(edges[i].h)] = static_cast<int>(i);
@@ -143,18 +134,20 @@ std::vector<TurnedSum> distancesOfLoneCones(const SeamlessSystem& system,
     for (const HalfedgeId h : patch.sides) {
       const StraightEdge& edge = edges[at(edgeOf[mesh.edge(h)])];
       const int across = edge.h == h ? 0 : 2 + system.seams.rotation[edge.h];
-      const int turn = unfolding.turnOf(TriMesh::face(h));
-      // To the left of the side, in the first face's chart.
-      const int normal = edge.heading + across + turn + 1;
-      double length = 0.0;
-      for (const HalfedgeId e : straightRun(mesh, aligned, h)) length += system.geometry.length[e];
-      const double scale = 2.0 / length;
-      TurnedSum& sum = distances.emplace_back();
-      sum.side = h;
-      sum.terms.push_back({cut.copy[patch.atCone].i, -normal, scale});
-      sum.terms.push_back({cut.copy[h].i, turn - normal, -scale});
-      for (const TurnedSum::Term& t : unfolding.termsOf(TriMesh::face(h)))
-        sum.terms.push_back({t.copy, t.turn - normal, -scale * t.factor});
+      const Unfolding::Way& way = unfolding.to(TriMesh::face(h));
+      // From the cone to the right of the side, which has its patch to the left.
+      const int direction = edge.heading + across - 1 - way.turn;
+      std::vector<SeamStep> steps = way.steps;
+      for (SeamStep& s : steps) {
+        s.before += direction;
+        s.after += direction;
+      }
+      SideDistance& d = distances.emplace_back();
+      d.side = h;
+      d.sum = wayAlong(unknowns, cut.copy[patch.atCone].i, direction, steps, cut.copy[h].i);
+      d.length = 0.0;
+      for (const HalfedgeId e : straightRun(mesh, aligned, h))
+        d.length += 0.5 * system.geometry.length[e];
     }
   }
   return distances;

@@ -8,9 +8,10 @@
 namespace hgp {
 
 /// In a patch between features with one cone of index k and k corners with a = 1, none with a ≥ 3, the signed distances of the
-/// cone from the lines of the k sides, over half their lengths on the surface. They are positive in every locally injective map.
-std::vector<TurnedSum> distancesOfLoneCones(const SeamlessSystem& system,
-                                            const std::vector<StraightEdge>& edges,
-                                            const AlignedField& aligned);
+/// cone from the lines of the k sides. They are positive in every locally injective map: the proof is in the decision.
+std::vector<SideDistance> distancesOfLoneCones(const SeamlessSystem& system,
+                                               const RealUnknowns& unknowns,
+                                               const std::vector<StraightEdge>& edges,
+                                               const AlignedField& aligned);
 
 }  // namespace hgp

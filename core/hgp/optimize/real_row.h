@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hgp/features/real_unknowns.h"
+#include "hgp/features/sum_relations.h"
 
 namespace hgp {
 
@@ -23,18 +24,11 @@ class RealRow {
 
   /// Adds factor times the real (part 0) or imaginary part (1) of a copy.
   void add(int copy, int part, double factor) {
-    for (RealUnknowns::Rows::InnerIterator it(unknowns_.rows, 2 * copy + part); it; ++it) {
-      const auto i = static_cast<std::size_t>(it.col());
-      if (index_[i] < 0) {
-        constant_ += factor * it.value() * given_[i];
-        continue;
-      }
-      if (!isUsed_[i]) {
-        isUsed_[i] = 1;
-        used_.push_back(static_cast<int>(i));
-      }
-      value_[i] += factor * it.value();
-    }
+    for (RealUnknowns::Rows::InnerIterator it(unknowns_.rows, 2 * copy + part); it; ++it)
+      addUnknown(static_cast<int>(it.col()), factor * it.value());
+  }
+  void add(const RealSum& sum, double factor) {
+    for (const auto& [unknown, value] : sum) addUnknown(unknown, factor * value);
   }
   /// Calls use(index, value) for every term, ascending, and clears the row.
   /// @return what given unknowns add
@@ -52,6 +46,19 @@ class RealRow {
   }
 
  private:
+  void addUnknown(int unknown, double factor) {
+    const auto i = static_cast<std::size_t>(unknown);
+    if (index_[i] < 0) {
+      constant_ += factor * given_[i];
+      return;
+    }
+    if (!isUsed_[i]) {
+      isUsed_[i] = 1;
+      used_.push_back(unknown);
+    }
+    value_[i] += factor;
+  }
+
   const RealUnknowns& unknowns_;
   const std::vector<int>& index_;
   const std::vector<double>& given_;

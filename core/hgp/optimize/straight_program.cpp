@@ -241,11 +241,11 @@ class StraightProgram {
       });
       if (isFree) edges_.push_back(e.h);
     }
-    for (const TurnedSum& sum : in_.distances) {
-      const double scale = 1.0 / scaleAt(sum.side);
+    for (const SideDistance& d : in_.distances) {
+      const double scale = 1.0 / (scaleAt(d.side) * d.length);
       const bool isFree =
-          addConstraint(row, 1, {o_.margin, 0.0, 0.0}, [&](int) { addTo(row, sum, scale); });
-      if (isFree) edges_.push_back(sum.side);
+          addConstraint(row, 1, {o_.margin, 0.0, 0.0}, [&](int) { row.add(d.sum, scale); });
+      if (isFree) edges_.push_back(d.side);
     }
   }
 
@@ -294,7 +294,7 @@ class StraightProgram {
   std::vector<double> given_;  ///< per real unknown
   std::array<int, 2> origin_{-1, -1};
   VertexId smallest_;              ///< where the map is smallest
-  std::vector<HalfedgeId> edges_;  ///< of the first constraints
+  std::vector<HalfedgeId> edges_;  ///< of the first constraints, sides of distances included
   std::vector<FaceId> faces_;      ///< of those after them
   int count_ = 0, padded_ = 0;
   SquareRows<double> squares_{0};
@@ -304,14 +304,6 @@ class StraightProgram {
 };
 
 }  // namespace
-
-void addTo(RealRow& row, const TurnedSum& sum, double factor) {
-  for (const TurnedSum::Term& t : sum.terms) {
-    const int turn = reduceTurn(t.turn, 4);
-    const double value = factor * t.factor;
-    row.add(t.copy, turn % 2, turn == 1 || turn == 2 ? -value : value);
-  }
-}
 
 Eigen::MatrixXd straightCovariance(const StraightSystem& straight, const StraightOptions& options,
                                    const std::vector<int>& variables) {

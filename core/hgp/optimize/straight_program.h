@@ -3,8 +3,8 @@
 #pragma once
 
 #include "hgp/features/real_unknowns.h"
+#include "hgp/features/sum_relations.h"
 #include "hgp/optimize/program.h"
-#include "hgp/optimize/real_row.h"
 
 namespace hgp {
 
@@ -14,15 +14,11 @@ struct StraightEdge {
   int heading = 0;  ///< 0 … 3
 };
 
-/// A sum of coordinates that is positive in every map: Σ Re(i^turn z_copy) factor.
-struct TurnedSum {
-  struct Term {
-    int copy;
-    int turn;  ///< any integer
-    double factor;
-  };
-  std::vector<Term> terms;
-  HalfedgeId side;  ///< the feature edge that it belongs to
+/// The distance of a cone from the line of a side of its patch (lone_cones.h).
+struct SideDistance {
+  RealSum sum;  ///< positive in every map
+  HalfedgeId side;
+  double length = 1.0;  ///< half that of the whole side on the surface
 };
 
 /// References only; the objects must outlive it.
@@ -30,12 +26,9 @@ struct StraightSystem {
   const SeamlessSystem& system;
   const RealUnknowns& unknowns;            ///< of system.unknowns.copies and the edges' equations
   const std::vector<StraightEdge>& edges;  ///< one side of every feature edge
-  const std::vector<TurnedSum>& distances;
+  const std::vector<SideDistance>& distances;  ///< of cones that are alone in their patches
   const PerVertex<char>& hasRow;  ///< harmonic: inner vertices off features that are no cones
 };
-
-/// Adds a sum times a factor.
-void addTo(RealRow& row, const TurnedSum& sum, double factor);
 
 struct StraightOptions {
   PerVertex<double> u;  ///< as ProgramOptions::u
@@ -60,7 +53,8 @@ struct StraightResult {
 
 /// Without given values, the translation of the whole map is fixed where it is smallest.
 /// minimise ‖D L z‖² + δ Σ A e^{−2u} (|f_z − e^u d|² + |f_z̄|²), L the rows of hasRow, subject to
-///   (13) on the faces of `frames`,   Re(i^{−heading} (z_head − z_tail)) ≥ ε e^u ℓ on every edge,  ℓ its length.
+///   (13) on the faces of `frames`,   Re(i^{−heading} (z_head − z_tail)) ≥ ε e^u ℓ on every edge,  ℓ its length,
+///   and every distance of a cone from a side ≥ ε e^u ℓ/2,  ℓ the length of the side.
 StraightResult solveStraight(const StraightSystem& straight, const Frames& frames,
                              const StraightOptions& options);
 

@@ -41,7 +41,8 @@ TEST(Phrase, SeveralNotesAreJoined) {
 
 TEST(Phrase, DefectsAreAllTheCodesThatBeginSoAndAreJoinedAlike) {
   for (const Phrase& p : defectPhrases()) EXPECT_EQ(p.code.substr(0, 7), "defect-");
-  for (const Phrase& p : otherPhrases()) EXPECT_NE(p.code.substr(0, 7), "defect-");
+  for (const std::span<const Phrase> others : {mapPhrases(), otherPhrases()})
+    for (const Phrase& p : others) EXPECT_NE(p.code.substr(0, 7), "defect-");
   const Notes two{Note("defect-zero-area", {{"count", 2}}), Note("defect-extent")};
   EXPECT_EQ(phraseDefects(two), phrase(two));
 }
@@ -49,7 +50,8 @@ TEST(Phrase, DefectsAreAllTheCodesThatBeginSoAndAreJoinedAlike) {
 TEST(Phrase, EveryTemplateIsWellFormedAndItsCodeUnique) {
   std::set<std::string_view> codes;
   std::vector<Phrase> all(defectPhrases().begin(), defectPhrases().end());
-  all.insert(all.end(), otherPhrases().begin(), otherPhrases().end());
+  for (const std::span<const Phrase> others : {mapPhrases(), otherPhrases()})
+    all.insert(all.end(), others.begin(), others.end());
   for (const Phrase& p : all) {
     EXPECT_TRUE(codes.insert(p.code).second) << p.code;
     // Throws where a bracket is not closed.

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <random>
+#include <string>
 
 namespace hgp {
 namespace {
@@ -22,6 +24,23 @@ TEST(StableOrder, HasEveryNumberOnceAndKeepsEqualOnesInOrder) {
     for (std::size_t i = 1; i < count; ++i)
       EXPECT_LT(std::pair(keys[order[i - 1]], order[i - 1]), std::pair(keys[order[i]], order[i]));
   }
+}
+
+TEST(SortStably, MovesAsTheStandardSort) {
+  std::mt19937 random(30);
+  std::vector<std::pair<int, std::string>> list(300);
+  for (auto& [key, name] : list) {
+    key = static_cast<int>(random() % 20);
+    name = std::to_string(random());
+  }
+  auto expected = list;
+  const auto less = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::stable_sort(expected.begin(), expected.end(), less);
+  sortStably(list, less);
+  EXPECT_EQ(list, expected);
+  list.clear();
+  sortStably(list, less);
+  EXPECT_TRUE(list.empty());
 }
 
 }  // namespace

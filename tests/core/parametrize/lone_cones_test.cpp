@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "along.h"
 #include "hgp/features/step_repair.h"
@@ -92,38 +93,49 @@ StraightSetup setupOf(PreparedSurface& surface, const std::vector<EdgeId>& featu
   return std::move(*setup);
 }
 
-double valueOf(const TurnedSum& sum, const std::vector<Complex>& z) {
-  double value = 0.0;
-  for (const TurnedSum::Term& t : sum.terms)
-    value += t.factor * (rotation(t.turn, 4) * z[at(t.copy)]).real();
-  return value;
-}
-
-/// A side of a patch in a map.
+/// A side of a patch for any values of the unknowns.
 struct Side {
   double distance = 0.0;  ///< of the cone
-  double length = 0.0;
+  double length = 0.0;    ///< signed
   HalfedgeId next;
 };
 
 std::map<HalfedgeId, Side> sidesIn(const TriMesh& mesh, const StraightSetup& setup,
-                                   const std::vector<Complex>& z) {
+                                   const Eigen::VectorXd& x) {
   const Sectors& sectors = setup.aligned.sectors;
+  const CutMesh& cut = setup.seamless.cut;
+  const std::vector<Complex> z = placesOf(setup.unknowns, x);
+  std::map<EdgeId, double> lengths;
+  for (const StraightEdge& e : setup.edges)
+    lengths[mesh.edge(e.h)] =
+        (rotation(-e.heading, 4) * (z[at(cut.copy[TriMesh::next(e.h)].i)] - z[at(cut.copy[e.h].i)]))
+            .real();
   std::map<HalfedgeId, Side> sides;
-  for (const TurnedSum& sum : setup.distances) {
-    Side& side = sides[sum.side];
+  for (const SideDistance& d : setup.distances) {
+    Side& side = sides[d.side];
+    for (const auto& [unknown, factor] : d.sum) side.distance += factor * x[unknown];
+    const std::vector<HalfedgeId> run = straightRun(mesh, setup.aligned, d.side);
+    EXPECT_EQ(run.front(), d.side);
     double onSurface = 0.0;
-    const std::vector<HalfedgeId> run = straightRun(mesh, setup.aligned, sum.side);
-    EXPECT_EQ(run.front(), sum.side);
     for (const HalfedgeId h : run) {
-      const CutMesh& cut = setup.seamless.cut;
-      side.length += std::abs(z[at(cut.copy[TriMesh::next(h)].i)] - z[at(cut.copy[h].i)]);
+      side.length += lengths.at(mesh.edge(h));
       onSurface += setup.seamless.context->geometry.length[h];
     }
-    side.distance = 0.5 * onSurface * valueOf(sum, z);
+    EXPECT_NEAR(d.length, 0.5 * onSurface, 1e-12 * onSurface);
     side.next = sectors.list[at(sectors.of[TriMesh::next(run.back())])].first;
   }
   return sides;
+}
+
+/// The rectangles at the cone.
+void expectRectangles(const std::map<HalfedgeId, Side>& sides, double scale) {
+  std::map<HalfedgeId, HalfedgeId> before;
+  for (const auto& [h, side] : sides) before[side.next] = h;
+  for (const auto& [h, side] : sides) {
+    ASSERT_TRUE(sides.contains(side.next) && before.contains(h));
+    const double both = sides.at(side.next).distance + sides.at(before.at(h)).distance;
+    EXPECT_NEAR(side.length, both, 1e-9 * scale);
+  }
 }
 
 TEST(LoneCones, EverySideIsAsLongAsTheDistancesFromItsNeighboursTogether) {
@@ -135,22 +147,56 @@ TEST(LoneCones, EverySideIsAsLongAsTheDistancesFromItsNeighboursTogether) {
     StraightOptions options;
     options.u = setup.seamless.field.u;
     const StraightResult map = solveStraight(straightSystemOf(setup, system), {}, options);
-    const std::map<HalfedgeId, Side> sides = sidesIn(mesh, setup, map.z);
-    std::map<HalfedgeId, HalfedgeId> before;
-    for (const auto& [h, side] : sides) before[side.next] = h;
-    for (const auto& [h, side] : sides) {
-      ASSERT_TRUE(sides.contains(side.next) && before.contains(h));
-      const double both = sides.at(side.next).distance + sides.at(before.at(h)).distance;
-      EXPECT_NEAR(side.length, both, 1e-9 * side.length);
-      EXPECT_GT(side.distance, 0.0);
-    }
+    const std::map<HalfedgeId, Side> sides = sidesIn(mesh, setup, map.x);
+    expectRectangles(sides, sides.begin()->second.length);
+    for (const auto& [h, side] : sides) EXPECT_GT(side.distance, 0.0);
     const Result<Parametrization> run = test::along(mesh, test::creasesOf(mesh));
     ASSERT_TRUE(run);
     EXPECT_TRUE(run->isCertified) << k;
   }
 }
 
+/// The corners of a cube as cones.
+HolonomySpec cornersOf(const TriMesh& mesh, const Sectors& sectors) {
+  HolonomySpec spec;
+  for (VertexId v : mesh.vertices()) {
+    int creases = 0;
+    for (HalfedgeId h : outgoingHalfedges(mesh, v)) creases += sectors.isFeature[mesh.edge(h)];
+    if (creases == 3) spec.cones.push_back({v, 3});
+  }
+  EXPECT_EQ(spec.cones.size(), 8u);
+  return spec;
+}
+
+TEST(LoneCones, SidesAreThatLongForAllValuesOfTheUnknownsAndOverAllSeams) {
+  const TriMesh mesh = test::cube(4).mesh();
+  const std::vector<EdgeId> features = test::creasesOf(mesh);
+  const Sectors sectors = findSectors(mesh, features);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  int patches = 0, turned = 0;
+  for (VertexId v : mesh.vertices()) {
+    if (sectors.isOnFeature[v]) continue;
+    HolonomySpec spec = cornersOf(mesh, sectors);
+    spec.cones[at(v.i) % 8].vertex = v;
+    PreparedSurface surface(mesh);
+    std::vector<StageTime> times;
+    const Result<StraightSetup> setup = prepareStraight(surface, features, spec, {}, times);
+    if (!setup || setup->distances.empty()) continue;
+    ++patches;
+    Eigen::VectorXd x(setup->unknowns.count);
+    for (double& one : x) one = value(random);
+    expectRectangles(sidesIn(mesh, *setup, x), 1.0);
+    for (const SideDistance& d : setup->distances)
+      turned += mesh.halfedge(mesh.edge(d.side)) != d.side &&
+                setup->seamless.seams.rotation[d.side] % 2 == 1;
+  }
+  EXPECT_GT(patches, 10);
+  EXPECT_GT(turned, 0) << "no side is seen across a seam with a quarter turn";
+}
+
 TEST(LoneCones, OtherPatchesHaveNoDistances) {
+  int rectangular = 0;
   for (const test::CreasedShape& shape : test::creasedShapes()) {
     PreparedSurface surface(shape.mesh);
     const StraightSetup setup = setupOf(surface, shape.features);
@@ -158,23 +204,18 @@ TEST(LoneCones, OtherPatchesHaveNoDistances) {
     bool isRectangular = true;
     for (VertexId v : shape.mesh.vertices())
       isRectangular = isRectangular && (field.sectors.isOnFeature[v] || field.index[at(v.i)] == 4);
-    if (isRectangular) {
-      EXPECT_TRUE(setup.distances.empty()) << shape.name;
-    }
+    if (!isRectangular) continue;
+    ++rectangular;
+    EXPECT_TRUE(setup.distances.empty()) << shape.name;
   }
+  EXPECT_GT(rectangular, 2);
 }
 
 TEST(LoneCones, ACornerOfACubeCannotMoveIntoAFace) {
   const TriMesh mesh = test::cube(6).mesh();
   const std::vector<EdgeId> features = test::creasesOf(mesh);
   const Sectors sectors = findSectors(mesh, features);
-  HolonomySpec spec;
-  for (VertexId v : mesh.vertices()) {
-    int creases = 0;
-    for (HalfedgeId h : outgoingHalfedges(mesh, v)) creases += sectors.isFeature[mesh.edge(h)];
-    if (creases == 3) spec.cones.push_back({v, 3});
-  }
-  ASSERT_EQ(spec.cones.size(), 8u);
+  HolonomySpec spec = cornersOf(mesh, sectors);
   const Vec3 corner = mesh.position(spec.cones[0].vertex);
   double nearest = 1e9;
   for (VertexId v : mesh.vertices()) {
@@ -195,7 +236,7 @@ TEST(LoneCones, ACornerOfACubeCannotMoveIntoAFace) {
   EXPECT_GT(fit.excess, 0.1);
   EXPECT_FALSE(fit.edges.empty());
   // The sides are a + c, a + b and b + c long, and each of the first two lengths adds up to the third: b = 0.
-  const std::vector<TurnedSum> none;
+  const std::vector<SideDistance> none;
   const StraightSystem free{system, setup.unknowns, setup.edges, none, setup.hasRow};
   EXPECT_TRUE(fitLengths(free).isPossible);
   spec.features = features;

@@ -8,6 +8,8 @@ import { flatSquare } from '../shapes.mjs';
 import { $, $$, choose, click, drawn, openFiles, openPage, runNow, saved, skip, textOf, until } from './whole_page.mjs'; // prettier-ignore
 
 const { runJob } = await import('../../../web/src/actions/job.ts');
+const { rewrite } = await import('../../../web/src/actions/solve.ts');
+const { undo } = await import('../../../web/src/actions/undo.ts');
 const status = () => textOf($('#status'));
 const buttonOf = (pattern, within = 'hgp-status-bar') => $$(`${within} button`).find((one) => pattern.test(one.textContent)); // prettier-ignore
 async function pageWith(t, files) {
@@ -292,6 +294,15 @@ test(
     assert.match(status(), /previous cones/);
     await runNow(app);
     assert.deepEqual([doc.prescription, doc.stateName], [prescription, 'certified']);
+    // After an edit that is undone, the map that is shown is made again as it was made.
+    setPrescription(app, { ...prescription, cones: prescription.cones.slice(1) }, 'delete cone');
+    await undo(app);
+    assert.deepEqual([doc.stateName, doc.features.keepsCones], ['certified', true]);
+    const bytes = doc.current.files[0].bytes;
+    await doc.current.map.dispose();
+    await rewrite(app, { embedCones: true });
+    assert.equal(doc.current.features.keepsCones, false);
+    assert.deepEqual([doc.current.files[0].bytes, doc.current.prescription], [bytes, prescription]);
     await choose('#follow-rims', false);
     assert.deepEqual([doc.features.hasRims, doc.stateName], [false, 'stale']);
     await choose('#follow-creases', false);

@@ -175,7 +175,19 @@ export function keepSolution({ doc }: App, solution: Solution, before?: Solution
   doc.isUnsaved = true;
 }
 
-/** Writes the same map with other output settings; solves again only if necessary. */
+/** An edit that was undone leaves open who chose the cones along features: as they were chosen, they are chosen again. */
+function solveAgain(
+  app: App,
+  model: Model,
+  old: Solution,
+  output: Output,
+  call: JobCall,
+): Promise<Solution> {
+  app.doc.features = old.features ?? app.doc.features;
+  return solve(app, model, output, call);
+}
+
+/** Writes the current map with other output settings; solves again, as it was solved, only if necessary. */
 async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   const { doc } = app;
   const { model } = doc;
@@ -184,7 +196,7 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
     const isThere = old.output.scale === output.scale && !old.map.isDisposed;
     const solution = isThere
       ? await writeSolution(app, model, { ...requestOf(old), output }, old, call)
-      : await solve(app, model, output, call);
+      : await solveAgain(app, model, old, output, call);
     doc.solutions = doc.solutions.map((one) => (one === old ? solution : one));
     doc.isUnsaved = true;
   });

@@ -117,7 +117,8 @@ Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vecto
     if (mesh.isIsolated(v) || setup.aligned.sectors.isOnFeature[v]) setup.hasRow[v] = 0;
   for (VertexId v : seamless.cones) setup.hasRow[v] = 0;
   setup.base = baseFaces(mesh, setup);
-  setup.distances = distancesOfLoneCones(systemOf(mesh, seamless), setup.edges, setup.aligned);
+  setup.distances =
+      distancesOfLoneCones(systemOf(mesh, seamless), setup.unknowns, setup.edges, setup.aligned);
   clock.end();
   return setup;
 }

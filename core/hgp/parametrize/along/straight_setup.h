@@ -12,7 +12,7 @@ struct StraightSetup {
   AlignedField aligned;
   RealUnknowns unknowns;
   std::vector<StraightEdge> edges;
-  std::vector<TurnedSum> distances;  ///< of cones from sides
+  std::vector<SideDistance> distances;
   PerVertex<char> hasRow;
   std::vector<FaceId>
       base;  ///< the triangles at cones off features, and in sectors of index 3 and more

@@ -141,6 +141,55 @@ export const corePhrases = {
     'One cone on a closed surface of genus 2 (reduced by the common divisor {divisor} to q={q}) needs handle rotations that are all 0, or that are not all half turns.',
   'budget-few-triangles':
     '{cones|cone} with few triangles for the angle (more than {angle:.3g} rad each on average): vertex {@vertex}. Refine the mesh there.',
+  'grid-other-cones':
+    'the cones for cells of this size leave them no room; those for cells {factor:g} times as long are used instead',
+  'grid-smaller-cells':
+    'component {component} is small for cells of this size: its own are 1/{parts} as long',
+  'grid-order': 'a grid of squares needs q = 2 or 4, not {q}',
+  'grid-seams': "the map's seams could not be read, or its strain is singular",
+  'write-as-obj':
+    'written as OBJ[normals:, with its normals][onlyColours:, with its colours][andColours: and colours]',
+  'write-uv-replaced': 'the old texture coordinates were replaced',
+  'write-vt-replaced': 'the old vt lines were replaced',
+  'write-lines-without-vt':
+    'polylines (l) and skipped faces lost their references to the old vt lines',
+  'write-cones-ply': 'cones are not embedded: PLY has no place for them',
+  'write-cones-extras': "cones are not embedded: the mesh's extras are not an object",
+  'write-set-used': 'wrote TEXCOORD_{set}; the materials use it',
+  'write-set-unseen':
+    'wrote TEXCOORD_{set}; textures that used {others} use it, since {others} is missing there or has no area',
+  'write-set-unused': 'wrote TEXCOORD_{set}; the materials still use {others}',
+  'write-set-replaced':
+    "TEXCOORD_{set} was replaced: the materials' pictures were made for the old one and no longer fit",
+  'write-set-unread':
+    'TEXCOORD_{set}, which no material uses, was replaced: viewers read the first four sets',
+  'write-set-filled': 'primitive {primitive} had no TEXCOORD_{set}; it has the new uv there too',
+  'write-vertices-copied': '{before} vertices became {after} along seams',
+  'write-tangents-dropped':
+    'primitive {primitive}: TANGENT dropped, it belonged to the replaced TEXCOORD_{set}',
+  'write-list': 'primitive {primitive} is now a list of triangles',
+  'write-draco-unpacked':
+    'primitive {primitive} was compressed with Draco and is stored uncompressed',
+  'write-unpacked':
+    'what was compressed is stored uncompressed: {bytes} bytes, {ratio:.2g} times the input',
+  'write-packed':
+    'compressed with meshopt, lossless: {bytes} bytes; {views} views, {before} bytes as they are, take {after}',
+  'write-not-shorter': 'nothing is shorter compressed: {bytes} bytes as they are',
+  'write-chunk-dropped': 'a .gltf has no chunks: one of {bytes} bytes and type {type} is not kept',
+  'write-manifold-repaired': 'EXT_mesh_manifold dropped: it describes the mesh before the repairs',
+  'write-manifold-other':
+    'EXT_mesh_manifold dropped: its indices are not those of the primitives, or contradict each other',
+  'write-keep-beside': 'keep {name} next to the new file',
+  'write-file-refused': '{why}; it is not copied, and the reference to it is kept',
+  'quads-across-seams':
+    "{quads|quad crosses|quads cross} a seam of the input's texture coordinates or the border of a material: their corners have what the surface has there, but not what is between",
+  'quads-nearest':
+    "{corners|corner of these lies|corners of these lie} on triangles of other primitives only, and {corners#has|have} what the quad's own primitive has nearest to {corners#it|them}",
+  'quads-mesh-alone': 'the rest of the file is not kept: {why}',
+  'quads-uv-missing':
+    '{corners|corner of quads has|corners of quads have} no texture coordinates[zero: (0 in the file)], as the input has none there',
+  'quads-no-materials': 'materials are not kept: PLY has no place for them',
+  'repair-by-hand': 'No repair removes this; edit the mesh there',
   'map-crushed':
     '{crushed} of {triangles|triangle} {crushed#is|are} crushed: area scale below {scale:g} of the median, the smallest {smallest:.1e} of it (triangle {@triangle}, at {x:.4g} {y:.4g} {z:.4g}). Place a cone there, or more cones.',
   'map-stretched':
@@ -196,53 +245,4 @@ export const corePhrases = {
     '{moved} of {components|component} moved or scaled to survive the rounding of the format',
   'stored-broken':
     '{broken} of {components|component} certified before the rounding of the format, but not after it',
-  'grid-other-cones':
-    'the cones for cells of this size leave them no room; those for cells {factor:g} times as long are used instead',
-  'grid-smaller-cells':
-    'component {component} is small for cells of this size: its own are 1/{parts} as long',
-  'grid-order': 'a grid of squares needs q = 2 or 4, not {q}',
-  'grid-seams': "the map's seams could not be read, or its strain is singular",
-  'write-as-obj':
-    'written as OBJ[normals:, with its normals][onlyColours:, with its colours][andColours: and colours]',
-  'write-uv-replaced': 'the old texture coordinates were replaced',
-  'write-vt-replaced': 'the old vt lines were replaced',
-  'write-lines-without-vt':
-    'polylines (l) and skipped faces lost their references to the old vt lines',
-  'write-cones-ply': 'cones are not embedded: PLY has no place for them',
-  'write-cones-extras': "cones are not embedded: the mesh's extras are not an object",
-  'write-set-used': 'wrote TEXCOORD_{set}; the materials use it',
-  'write-set-unseen':
-    'wrote TEXCOORD_{set}; textures that used {others} use it, since {others} is missing there or has no area',
-  'write-set-unused': 'wrote TEXCOORD_{set}; the materials still use {others}',
-  'write-set-replaced':
-    "TEXCOORD_{set} was replaced: the materials' pictures were made for the old one and no longer fit",
-  'write-set-unread':
-    'TEXCOORD_{set}, which no material uses, was replaced: viewers read the first four sets',
-  'write-set-filled': 'primitive {primitive} had no TEXCOORD_{set}; it has the new uv there too',
-  'write-vertices-copied': '{before} vertices became {after} along seams',
-  'write-tangents-dropped':
-    'primitive {primitive}: TANGENT dropped, it belonged to the replaced TEXCOORD_{set}',
-  'write-list': 'primitive {primitive} is now a list of triangles',
-  'write-draco-unpacked':
-    'primitive {primitive} was compressed with Draco and is stored uncompressed',
-  'write-unpacked':
-    'what was compressed is stored uncompressed: {bytes} bytes, {ratio:.2g} times the input',
-  'write-packed':
-    'compressed with meshopt, lossless: {bytes} bytes; {views} views, {before} bytes as they are, take {after}',
-  'write-not-shorter': 'nothing is shorter compressed: {bytes} bytes as they are',
-  'write-chunk-dropped': 'a .gltf has no chunks: one of {bytes} bytes and type {type} is not kept',
-  'write-manifold-repaired': 'EXT_mesh_manifold dropped: it describes the mesh before the repairs',
-  'write-manifold-other':
-    'EXT_mesh_manifold dropped: its indices are not those of the primitives, or contradict each other',
-  'write-keep-beside': 'keep {name} next to the new file',
-  'write-file-refused': '{why}; it is not copied, and the reference to it is kept',
-  'quads-across-seams':
-    "{quads|quad crosses|quads cross} a seam of the input's texture coordinates or the border of a material: their corners have what the surface has there, but not what is between",
-  'quads-nearest':
-    "{corners|corner of these lies|corners of these lie} on triangles of other primitives only, and {corners#has|have} what the quad's own primitive has nearest to {corners#it|them}",
-  'quads-mesh-alone': 'the rest of the file is not kept: {why}',
-  'quads-uv-missing':
-    '{corners|corner of quads has|corners of quads have} no texture coordinates[zero: (0 in the file)], as the input has none there',
-  'quads-no-materials': 'materials are not kept: PLY has no place for them',
-  'repair-by-hand': 'No repair removes this; edit the mesh there',
 } as const;

@@ -18,6 +18,8 @@ namespace {
 double balancedSolves(int nodes) {
   return std::max(5.0 * nodes, std::min(16.0 * nodes + 1.6e5, 1.6e6));
 }
+/// For few cones, beside what their removal takes (docs/decisions/113).
+constexpr double kFewSolves = 1e7;
 /// The limit for the other choices, which are made only on request.
 constexpr double kAskedSolves = 3e7;
 constexpr double kAnyTurn = 100.0;
@@ -57,7 +59,10 @@ PlaceOptions placeOptions(const SuggestOptions& options, int nodes, int cones) {
   place.keepsTurning = isBalanced || options.alignToCurvature;
   place.nodeSolves = isBalanced && options.coneCount == 0 ? balancedSolves(nodes) : kAskedSolves;
   if (options.coneCount > 0 || place.isFixed) return place;
-  if (options.conesFor == ConesFor::kFew) place.spread = kFewSpread;
+  if (options.conesFor == ConesFor::kFew) {
+    place.spread = kFewSpread;
+    place.nodeSolves = kFewSolves;
+  }
   if (options.conesFor == ConesFor::kLowDistortion) place.mostCones = 2 * cones + 8;
   return place;
 }

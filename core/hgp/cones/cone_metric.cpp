@@ -1,5 +1,6 @@
 #include "hgp/cones/cone_metric.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hgp/base/portable_math.h"
@@ -73,28 +74,32 @@ ConeSlope ConeMetric::slope(const ConeCost& cost) const {
 }
 
 Eigen::MatrixXd ConeMetric::response(const std::vector<int>& nodes) const {
-  Eigen::MatrixXd gap(nodeCount(), static_cast<Eigen::Index>(nodes.size()));
-  for (Eigen::Index i = 0; i < gap.cols(); ++i) {
-    gap.col(i) = -area_;
-    gap(nodes[static_cast<std::size_t>(i)], i) += 1.0;
-  }
-  return responseTo(std::move(gap));
+  return responses(nodes.size(), [&](std::size_t i, auto gap) {
+    gap = -area_;
+    gap[nodes[i]] += 1.0;
+  });
 }
 
 Eigen::MatrixXd ConeMetric::moveResponse(const std::vector<UnitMove>& moves) const {
-  Eigen::MatrixXd gap = Eigen::MatrixXd::Zero(nodeCount(), static_cast<Eigen::Index>(moves.size()));
-  for (Eigen::Index i = 0; i < gap.cols(); ++i) {
-    const UnitMove& move = moves[static_cast<std::size_t>(i)];
-    gap(move.from, i) -= move.units;
-    gap(move.to, i) += move.units;
-  }
-  return responseTo(std::move(gap));
+  return responses(moves.size(), [&](std::size_t i, auto gap) {
+    gap[moves[i].from] -= moves[i].units;
+    gap[moves[i].to] += moves[i].units;
+  });
 }
 
-Eigen::MatrixXd ConeMetric::responseTo(Eigen::MatrixXd gap) const {
-  gap *= turnAngle(1, q_);
-  Eigen::MatrixXd G = context_.laplacian.solve(gap);
-  for (Eigen::Index i = 0; i < G.cols(); ++i) G.col(i) = centred(G.col(i));
+/// Block by block, because arrays of dozens of megabytes come from the system page by page.
+template <class AddGap>
+Eigen::MatrixXd ConeMetric::responses(std::size_t count, const AddGap& addGap) const {
+  constexpr Eigen::Index kBlock = 16;
+  Eigen::MatrixXd G(nodeCount(), static_cast<Eigen::Index>(count));
+  for (Eigen::Index first = 0; first < G.cols(); first += kBlock) {
+    Eigen::MatrixXd gap = Eigen::MatrixXd::Zero(nodeCount(), std::min(kBlock, G.cols() - first));
+    for (Eigen::Index i = 0; i < gap.cols(); ++i)
+      addGap(static_cast<std::size_t>(first + i), gap.col(i));
+    gap *= turnAngle(1, q_);
+    const Eigen::MatrixXd block = context_.laplacian.solve(gap);
+    for (Eigen::Index i = 0; i < gap.cols(); ++i) G.col(first + i) = centred(block.col(i));
+  }
   return G;
 }
 

@@ -77,7 +77,8 @@ class ConeMetric {
 
  private:
   Eigen::VectorXd centred(Eigen::VectorXd u) const;
-  Eigen::MatrixXd responseTo(Eigen::MatrixXd gap) const;
+  template <class AddGap>
+  Eigen::MatrixXd responses(std::size_t count, const AddGap& addGap) const;
 
   const TriMesh& mesh_;
   const FieldContext& context_;

@@ -23,6 +23,20 @@ constexpr std::size_t kBlockNumbers = 4'000'000;
 /// Nodes for which the energy is computed exactly before a unit is added.
 constexpr int kCandidates = 6;
 
+/// Gᵀ diag(weight) G, some rows at a time.
+Eigen::MatrixXd weightedGram(const Eigen::MatrixXd& G, const Eigen::VectorXd& weight) {
+  constexpr Eigen::Index kRows = 256;
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(G.cols(), G.cols());
+  Eigen::MatrixXd weighted;
+  for (Eigen::Index first = 0; first < G.rows(); first += kRows) {
+    const Eigen::Index rows = std::min(kRows, G.rows() - first);
+    const auto part = G.middleRows(first, rows);
+    weighted = weight.segment(first, rows).asDiagonal() * part;
+    gram.noalias() += part.transpose() * weighted;
+  }
+  return gram;
+}
+
 }  // namespace
 
 ConePlacer::ConePlacer(const TriMesh& mesh, const ConeMetric& metric, NodeDefects start,
@@ -50,12 +64,14 @@ void ConePlacer::setCost(ConeCost cost) {
   slope_.reset();
 }
 
+void ConePlacer::settle(double part) {
+  for (int reach = kFirstReach; reach >= 1;) reach = walkTogether(reach, part) ? reach : reach / 2;
+}
+
 void ConePlacer::relax(double share) {
   const double before = nodeSolves_;
   nodeSolves_ *= share;
-  for (const double part : kParts)
-    for (int reach = kFirstReach; reach >= 1;)
-      reach = walkTogether(reach, part) ? reach : reach / 2;
+  for (const double part : kParts) settle(part);
   for (int reach = kFirstReach; reach >= 1;) reach = walkOneByOne(reach) ? reach : reach / 4;
   nodeSolves_ += (1.0 - share) * before;
 }
@@ -287,9 +303,8 @@ void ConePlacer::thinTo(int count) {
   for (int n = 0; n < metric_.nodeCount(); ++n)
     if (defects_[at(n)] != 0 || !vertexOf_[at(n)].isValid()) nodes.push_back(n);
   const Eigen::MatrixXd G = metric_.response(nodes);
-  const Eigen::MatrixXd weighted = metric_.area().asDiagonal() * G;
-  const Eigen::MatrixXd gram = G.transpose() * weighted;
-  Eigen::VectorXd slope = weighted.transpose() * cost_.u;
+  const Eigen::MatrixXd gram = weightedGram(G, metric_.area());
+  Eigen::VectorXd slope = G.transpose() * metric_.area().cwiseProduct(cost_.u);
   for (int now = cones(); now > count; now = cones()) {
     const std::optional<Exchange> e = cheapestExchange(nodes, gram, slope, now - count);
     if (!e) break;

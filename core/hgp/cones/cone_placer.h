@@ -27,6 +27,9 @@ class ConePlacer {
   /// Moves cones along the negative gradient of the energy: all at once while that lowers it, then one by one.
   /// @param share  of the remaining node solves that may be spent
   void relax(double share = 1.0);
+  /// The first part of relax(): moves a part of the cones at once, those with the steepest slopes, while that lowers the
+  /// energy.
+  void settle(double part = 1.0);
   /// From now on moves neither cancel nor absorb cones.
   void keepCount() { keepsCount_ = true; }
   void setNodeSolves(double limit) { nodeSolves_ = limit; }  ///< nodes × solves that are left

@@ -1,21 +1,32 @@
 #include "hgp/cones/place_cones.h"
 
+#include <algorithm>
+
 #include "hgp/cones/cone_placer.h"
 
 namespace hgp {
 
 namespace {
 
-/// Removes cones while the standard deviation of log₂ area stays below `spread`.
+/// Removes cones while the standard deviation of log₂ area stays below `spread`: a quarter of them at a time, then fewer.
+/// Those that are left settle after each step, and are moved one by one only where that decides or at the end.
 void shrinkWithin(ConePlacer& placer, double spread) {
-  while (placer.cones() > 1) {
+  constexpr int kFirstPart = 4, kLastPart = 16;
+  const auto isWithin = [&] { return areaSpread(placer.cost().scale) <= spread; };
+  placer.settle();
+  for (int part = kFirstPart; placer.cones() > 1;) {
     const ConePlacer before = placer;
-    placer.shrinkTo(placer.cones() - std::max(1, placer.cones() / 4));
+    const int step = std::max(1, placer.cones() / part);
+    placer.thinTo(placer.cones() - step);
     const bool isFewer = placer.cones() < before.cones();
-    if (isFewer && areaSpread(placer.cost().scale) <= spread) continue;
+    if (isFewer) placer.settle();
+    if (isFewer && !isWithin()) placer.relax(0.5);
+    if (isFewer && isWithin()) continue;
     placer.restore(before);
-    return;
+    if (step == 1 || part >= kLastPart) break;
+    part *= 2;
   }
+  placer.relax();
 }
 
 /// Adds cones, up to `most`, while a quarter more of them lowers the energy by the fraction kWorthwhile.
@@ -60,8 +71,10 @@ NodeDefects placeCones(const TriMesh& mesh, const ConeMetric& metric, NodeDefect
     placer.growTo(options.coneCount);
     placer.shrinkTo(options.coneCount);
   }
-  placer.relax();
-  if (options.spread > 0.0) shrinkWithin(placer, options.spread);
+  if (options.spread > 0.0)
+    shrinkWithin(placer, options.spread);
+  else
+    placer.relax();
   if (options.mostCones > 0) growWhileWorthwhile(placer, options.mostCones);
   if (options.spacing.least > 0.0) placer.separate(options.spacing);
   return placer.defects();

@@ -188,7 +188,8 @@ Result<LiveFrame> LiveEdit::moveTo(VertexId v) {
   verdict.measuresDistortion = false;
   frame.certificate = s.verifier.certify(toSpec(frame.spec), frame.map, verdict);
   frame.state = frame.certificate.isCertified ? LiveState::kCertified : LiveState::kFails;
-  frame.wantsAnchor = frame.certificate.isCertified && s.cut->path().size() + 1 >= live::kReach;
+  frame.wantsAnchor = frame.certificate.isCertified &&
+                      static_cast<int>(s.cut->path().size()) + 1 >= s.disc->reach();
   if (frame.certificate.isCertified) {
     s.lastSpec = frame.spec;
     s.lastMap = frame.map;

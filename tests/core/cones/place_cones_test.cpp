@@ -211,6 +211,20 @@ TEST(ConeDistances, AreLengthsInTheConeMetricAtTheSurfacesArea) {
   EXPECT_NEAR(twice.closer(d, 1e9)[0].distance, pairs[0].distance, 1e-9);
 }
 
+TEST(PlaceCones, ConesThatAreLeftMoveAfterARemoval) {
+  const TriMesh mesh = test::jittered(test::icosphere(10), 0.02).mesh();
+  Placed p(mesh);
+  const ConeMetric metric(mesh, p.surface.context(), 4);
+  NodeDefects start = zero(metric);
+  for (int n = 0; n < 48; ++n) start[static_cast<std::size_t>(19 * n)] = n < 28 ? 1 : -1;
+  PlaceOptions few;
+  few.spread = 1.0;
+  few.nodeSolves = 80.0 * metric.nodeCount();
+  const NodeDefects moved = placeCones(mesh, metric, start, few);
+  EXPECT_LE(areaSpread(metric.cost(moved).scale), 1.0);
+  EXPECT_LE(coneCount(mesh, p.surface.context(), moved), 4);
+}
+
 TEST(ChooseCones, RoundShapesGetFewCones) {
   const TriMesh sphere = test::jittered(test::icosphere(12), 0.01).mesh();
   Placed p(sphere);

@@ -55,6 +55,24 @@ TEST(MultifrontalCholesky, AgreesWithTheSimplicialSolver) {
   EXPECT_LE((cholesky.solve(B) - expected).norm(), 1e-10 * expected.norm());
 }
 
+template <class Scalar>
+void expectColumnsOneByOne() {
+  const Graph graph = triangulatedGrid(40, 30);
+  const auto A = laplacian<Scalar>(graph, 0.1);
+  MultifrontalCholesky<Scalar> cholesky;
+  cholesky.analyze(graphOf(A), nestedDissection(graph));
+  ASSERT_TRUE(cholesky.factor(A).ok);
+  const Dense<Scalar> B = Dense<Scalar>::Random(A.rows(), 11);
+  const Dense<Scalar> X = cholesky.solve(B);
+  for (Eigen::Index c = 0; c < B.cols(); ++c)
+    EXPECT_TRUE(X.col(c) == cholesky.solve(B.col(c))) << "column " << c;
+}
+
+TEST(MultifrontalCholesky, SolvesSeveralColumnsWithTheBitsOfEach) {
+  expectColumnsOneByOne<double>();
+  expectColumnsOneByOne<Complex>();
+}
+
 TEST(MultifrontalCholesky, ShiftAddsToTheDiagonal) {
   const Graph graph = triangulatedGrid(20, 20);
   const auto A = laplacian<double>(graph, 0.5), shifted = laplacian<double>(graph, 2.0);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
+#include <type_traits>
 
 #include "hgp/base/portable_math.h"
 
@@ -28,6 +30,16 @@ inline void subtractMultiple(int count, const std::complex<double>* p,
   }
 }
 
+/// w := (((w − p x₀) − p′ x₁) − p″ x₂) − p‴ x₃ for four columns p, p′, …, `stride` entries apart: the bits of four steps, with
+/// a quarter of the loads and stores.
+inline void subtractFourMultiples(int count, const double* p, std::ptrdiff_t stride,
+                                  const double* x, double* w) {
+  const double *const p1 = p + stride, *const p2 = p1 + stride, *const p3 = p2 + stride;
+  const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
+  for (int i = 0; i < count; ++i)
+    w[i] = (((w[i] - p[i] * x0) - p1[i] * x1) - p2[i] * x2) - p3[i] * x3;
+}
+
 /// Σ p̄ w over `count` entries, in four interleaved sums that are added pairwise.
 inline double conjugateDot(int count, const double* p, const double* w) {
   double lane[4] = {};
@@ -50,11 +62,35 @@ inline std::complex<double> conjugateDot(int count, const std::complex<double>* 
   return {re[0] + re[1], im[0] + im[1]};
 }
 
+/// Numbers of one row of four right-hand sides.
+struct FourReal {
+  double v[4];
+  void set(int c, double z) { v[c] = z; }
+  double at(int c) const { return v[c]; }
+};
+
+/// conjugateDot with each of four right-hand sides, with the same bits.
+inline FourReal conjugateDot(int count, const double* p, const FourReal* w) {
+  double lane[4][4] = {};
+  int i = 0;
+  const auto add = [&](int k) {
+    for (int c = 0; c < 4; ++c) lane[k][c] += p[i + k] * w[i + k].v[c];
+  };
+  for (; i + 4 <= count; i += 4) add(0), add(1), add(2), add(3);
+  for (int k = 0; i + k < count; ++k) add(k);
+  FourReal sum;
+  for (int c = 0; c < 4; ++c) sum.v[c] = (lane[0][c] + lane[1][c]) + (lane[2][c] + lane[3][c]);
+  return sum;
+}
+
 /// Complex numbers of one row of four right-hand sides: real parts, then imaginary parts.
 struct FourComplex {
   double re[4], im[4];
   void set(int c, const std::complex<double>& z) { re[c] = z.real(), im[c] = z.imag(); }
+  std::complex<double> at(int c) const { return {re[c], im[c]}; }
 };
+template <class Scalar>
+using Four = std::conditional_t<sizeof(Scalar) == sizeof(double), FourReal, FourComplex>;
 
 /// conjugateDot with each of four right-hand sides, with the same bits.
 inline FourComplex conjugateDot(int count, const std::complex<double>* p, const FourComplex* w) {
@@ -84,10 +120,21 @@ struct Panel {
 
   /// w holds `rows` entries: the first `pivots` become L11⁻¹ w1, the others w2 − L21 L11⁻¹ w1.
   void forward(Scalar* w) const {
-    for (int k = 0; k < pivots; ++k) {
+    int k = 0;
+    if constexpr (sizeof(Scalar) == sizeof(double))
+      for (; k + 4 <= pivots; k += 4) {
+        step(k, k + 4, k + 4, w);
+        subtractFourMultiples(rows - k - 4, column(k) + k + 4, rows, w + k, w + k + 4);
+      }
+    step(k, pivots, rows, w);
+  }
+
+  /// The steps of forward() for pivots first … last − 1, as far as row `end`.
+  void step(int first, int last, int end, Scalar* w) const {
+    for (int k = first; k < last; ++k) {
       const Scalar* const p = column(k);
       w[k] = quotient(w[k], p[k]);
-      subtractMultiple(rows - k - 1, p + k + 1, w[k], w + k + 1);
+      subtractMultiple(end - k - 1, p + k + 1, w[k], w + k + 1);
     }
   }
 
@@ -104,6 +151,13 @@ struct Panel {
   }
 
   /// The same for four right-hand sides, with the same bits.
+  void backward(FourReal* w) const {
+    for (int k = pivots - 1; k >= 0; --k) {
+      const Scalar* const p = column(k);
+      const FourReal dot = conjugateDot(rows - k - 1, p + k + 1, w + k + 1);
+      for (int c = 0; c < 4; ++c) w[k].v[c] = (w[k].v[c] - dot.v[c]) / p[k];
+    }
+  }
   void backward(FourComplex* w) const {
     for (int k = pivots - 1; k >= 0; --k) {
       const Scalar* const p = column(k);

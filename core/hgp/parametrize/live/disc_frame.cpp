@@ -28,7 +28,7 @@ Eigen::MatrixXd realForm(const Eigen::MatrixXcd& H) {
 }  // namespace
 
 std::vector<HalfedgeId> DragDisc::pathTo(VertexId v) const {
-  if (ring_[v] < 0 || ring_[v] > kReach || isFixed(v)) return {};
+  if (ring_[v] < 0 || ring_[v] > reach() || isFixed(v)) return {};
   // Breadth first from the cone, so that the same vertex always has the same path.
   std::vector<VertexId> queue{cone_};
   std::vector<std::pair<VertexId, HalfedgeId>> reached{{cone_, HalfedgeId()}};
@@ -39,7 +39,7 @@ std::vector<HalfedgeId> DragDisc::pathTo(VertexId v) const {
   for (std::size_t i = 0; i < queue.size() && find(v) == reached.end(); ++i)
     for (HalfedgeId h : outgoingHalfedges(mesh_, queue[i])) {
       const VertexId w = mesh_.head(h);
-      if (isFixed(w) || ring_[w] < 0 || ring_[w] > kReach || find(w) != reached.end()) continue;
+      if (isFixed(w) || ring_[w] < 0 || ring_[w] > reach() || find(w) != reached.end()) continue;
       reached.emplace_back(w, h);
       queue.push_back(w);
     }
@@ -108,7 +108,7 @@ void DragDisc::addRows(const MovedCut& cut, const MovedField& field, VertexId to
   for (FaceId f : facesNear(to))
     for (VertexId v : mesh_.corners(f)) soft.push_back(v);
   for (VertexId v : near_) {
-    if (ring_[v] == kRings || !hasRow(v, to)) continue;
+    if (ring_[v] == rings_ || !hasRow(v, to)) continue;
     const Terms row = harmonicRow(mesh_, setup_.context->geometry, cut, v);
     const bool isSoft = isSoft_[v] != 0 || std::find(soft.begin(), soft.end(), v) != soft.end();
     const double weight = rowWeight(v, isSoft) * portable::exp(-field.scaleAt(v));

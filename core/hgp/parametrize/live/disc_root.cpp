@@ -86,7 +86,7 @@ SparseRows DragDisc::outerRows() const {
   std::size_t row = 0;
   for (std::size_t r = 0; r < setup_.harmonic.rowVertex.size(); ++r) {
     const VertexId v = setup_.harmonic.rowVertex[r];
-    if (ring_[v] >= 0 && ring_[v] < kRings) continue;
+    if (ring_[v] >= 0 && ring_[v] < rings_) continue;
     const auto unknown = at(setup_.unknowns.vertexUnknown[v]);
     for (; row < unknown; ++row) start[row + 1] = static_cast<int>(column.size());
     for (SparseRows::InnerIterator it(rows, static_cast<Eigen::Index>(r)); it; ++it) {
@@ -146,7 +146,7 @@ bool DragDisc::buildSparse() {
   SquareRows<Complex> sum(count - 1);
   for (std::size_t r = 0; r < setup_.harmonic.rowVertex.size(); ++r) {
     const VertexId v = setup_.harmonic.rowVertex[r];
-    if (ring_[v] >= 0 && ring_[v] < kRings) continue;
+    if (ring_[v] >= 0 && ring_[v] < rings_) continue;
     const double weight = rowWeight(v, isSoft_[v] != 0);
     for (SparseRows::InnerIterator it(setup_.harmonic.rows, static_cast<Eigen::Index>(r)); it; ++it)
       if (const int index = index_[at(it.col())]; index >= 0) sum.add(index, weight * it.value());

@@ -14,8 +14,17 @@ int cheapRoot(const TriMesh& mesh) {
   return static_cast<int>(2.0 * std::sqrt(static_cast<double>(mesh.vertexCount())));
 }
 
-/// With more kept unknowns, a sparse factor of all is faster than a dense root.
+/// With more kept unknowns outside the disc, a sparse factor of all is faster than a dense root.
 int largestRoot(const TriMesh& mesh) { return std::min(2 * cheapRoot(mesh), 1800); }
+
+/// Finer meshes have more rings, so that as much of the hand's way is in reach; with ten, the disc's dense factor is still
+/// a small part of a frame.
+int ringCount(const TriMesh& mesh) {
+  constexpr int kFewest = 6, kMost = 10;
+  constexpr double kVertices = 15000.0;  // with which six are enough
+  const double finer = std::sqrt(static_cast<double>(mesh.vertexCount()) / kVertices);
+  return std::clamp(static_cast<int>(kFewest * finer), kFewest, kMost);
+}
 
 int cornerCount(const TriMesh& mesh, const std::vector<FaceId>& faces) {
   PerVertex<char> isCorner(static_cast<std::size_t>(mesh.vertexCount()), 0);
@@ -31,6 +40,7 @@ DragDisc::DragDisc(const TriMesh& mesh, const SeamlessSetup& setup, VertexId con
     : mesh_(mesh),
       setup_(setup),
       cone_(cone),
+      rings_(ringCount(mesh)),
       x_(std::move(x)),
       still_(mesh, setup.cut, setup.seams, setup.unknowns, cone),
       isFixed_(static_cast<std::size_t>(mesh.vertexCount()), 0),
@@ -51,7 +61,7 @@ bool DragDisc::build() {
   chooseFaces();
   chooseKept();
   if (held_ < 0) return false;
-  isSparse_ = rootSize() > largestRoot(mesh_);
+  isSparse_ = rootSize() - unknownCount() > largestRoot(mesh_);
   return readFaces() && (isSparse_ ? buildSparse() : buildDense());
 }
 
@@ -60,7 +70,7 @@ void DragDisc::chooseDisc() {
   ring_[cone_] = 0;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const VertexId v = near_[i];
-    if (ring_[v] == kRings) break;
+    if (ring_[v] == rings_) break;
     for (HalfedgeId h : outgoingHalfedges(mesh_, v))
       for (const VertexId w : {mesh_.head(h), mesh_.tail(TriMesh::previous(h))}) {
         if (ring_[w] >= 0) continue;
@@ -88,7 +98,7 @@ void DragDisc::chooseFaces() {
     const auto corners = mesh_.corners(f);
     for (VertexId v : corners) isSoft_[v] = 1;
     const bool isClose = std::any_of(corners.begin(), corners.end(), [&](VertexId v) {
-      return ring_[v] >= 0 && ring_[v] <= kReach;
+      return ring_[v] >= 0 && ring_[v] <= reach();
     });
     (isClose ? close_ : far_).push_back(f);
   }
@@ -108,7 +118,7 @@ void DragDisc::chooseKept() {
     disc_.push_back(unknown);
   };
   for (VertexId v : near_) {
-    if (ring_[v] == kRings) continue;
+    if (ring_[v] == rings_) continue;
     for (HalfedgeId h : outgoingHalfedges(mesh_, v))
       for (const HalfedgeId corner : {h, TriMesh::next(h), TriMesh::previous(h)})
         mark(corner, toDisc);
@@ -133,13 +143,13 @@ void DragDisc::chooseKept() {
 void DragDisc::holdOne() {
   const auto mayHold = [&](VertexId v) {
     const int unknown = setup_.unknowns.vertexUnknown[v];
-    return unknown >= 0 && (ring_[v] < 0 || ring_[v] == kRings);
+    return unknown >= 0 && (ring_[v] < 0 || ring_[v] == rings_);
   };
   for (FaceId f : far_)
     for (VertexId v : mesh_.corners(f))
       if (held_ < 0 && mayHold(v)) held_ = setup_.unknowns.vertexUnknown[v];
   for (VertexId v : near_)
-    if (held_ < 0 && mayHold(v) && ring_[v] == kRings) held_ = setup_.unknowns.vertexUnknown[v];
+    if (held_ < 0 && mayHold(v) && ring_[v] == rings_) held_ = setup_.unknowns.vertexUnknown[v];
   if (held_ < 0 || discAt_[at(held_)] < 0) return;
   disc_.erase(disc_.begin() + discAt_[at(held_)]);
   discAt_[at(held_)] = -1;

@@ -39,6 +39,8 @@ class DragDisc {
   /// All unknowns, numbered as MovedCut does; x* where nothing has moved; empty if the system is singular.
   Eigen::VectorXcd solve(const MovedCut& cut, const MovedField& field, VertexId to);
 
+  /// The largest ring on which a cone or its path may be.
+  int reach() const { return rings_ - 2; }
   int unknownCount() const { return static_cast<int>(disc_.size()); }
   int rootSize() const { return static_cast<int>(kept_.size()); }
 
@@ -78,12 +80,13 @@ class DragDisc {
   const TriMesh& mesh_;
   const SeamlessSetup& setup_;
   VertexId cone_;
+  int rings_;  ///< of the disc
   Eigen::VectorXcd x_;
   MovedCut still_;                   ///< nothing moved
   bool isGrown_ = false;             ///< soft triangles include a ring around those at cones
   PerVertex<char> isFixed_;          ///< other cones and boundaries
   PerVertex<char> isSoft_;           ///< corner of a soft triangle that is there whatever moves
-  PerVertex<int> ring_;              ///< edges from the cone, up to kRings; −1 outside
+  PerVertex<int> ring_;              ///< edges from the cone, up to rings_; −1 outside
   std::vector<VertexId> near_;       ///< the disc, ring by ring
   std::vector<FaceId> far_, close_;  ///< soft triangles of other cones: out of reach, within reach
   std::vector<SoftFace> farFaces_;
@@ -95,9 +98,5 @@ class DragDisc {
   linalg::SchurLu lu_;
   linalg::PartialCholesky root_;
 };
-
-/// Rings of the disc, and the largest ring on which a cone or its path may be.
-inline constexpr int kRings = 6;
-inline constexpr int kReach = 4;
 
 }  // namespace hgp::live

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 #include "hgp/base/stable_order.h"
 
@@ -57,6 +58,10 @@ ConePlacer::ConePlacer(const TriMesh& mesh, const ConeMetric& metric, NodeDefect
 void ConePlacer::restore(const ConePlacer& other) {
   defects_ = other.defects_;
   setCost(other.cost_);
+}
+
+int ConePlacer::missing() const {
+  return metric_.total() - std::accumulate(defects_.begin(), defects_.end(), 0);
 }
 
 void ConePlacer::setCost(ConeCost cost) {

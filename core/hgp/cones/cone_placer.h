@@ -27,8 +27,7 @@ class ConePlacer {
   /// Moves cones along the negative gradient of the energy: all at once while that lowers it, then one by one.
   /// @param share  of the remaining node solves that may be spent
   void relax(double share = 1.0);
-  /// The first part of relax(): moves a part of the cones at once, those with the steepest slopes, while that lowers the
-  /// energy.
+  /// The first step of relax(): moves this part of the cones, those with the steepest slopes, at once.
   void settle(double part = 1.0);
   /// From now on moves neither cancel nor absorb cones.
   void keepCount() { keepsCount_ = true; }
@@ -49,11 +48,7 @@ class ConePlacer {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  int missing() const {
-    int sum = 0;
-    for (int d : defects_) sum += d;
-    return metric_.total() - sum;
-  }
+  int missing() const;
   void setCost(ConeCost cost);
   void measure() { setCost(metric_.cost(defects_)); }
   bool fits(int node, int d) const {

@@ -245,7 +245,9 @@ void PanelFactor<Scalar>::backward(Eigen::Ref<Matrix> x) const {
     const int s = f.pivots(t), r = f.rowCount(t);
     const Panel<Scalar> P{panel(t), s + r, s};
     std::vector<Scalar>& w = scratch[slot];
-    for (Eigen::Index c = backwardByFours(t, P, x); c < x.cols(); ++c) {
+    Eigen::Index c = 0;
+    if constexpr (kDoubles<Scalar> == 1) c = backwardByFours(t, P, x);  // complex systems have one
+    for (; c < x.cols(); ++c) {
       Scalar* const top = &x(f.nodeStart[t], c);
       w.assign(top, top + s);
       for (int i = 0; i < r; ++i) w.push_back(x(f.rowsOf(t)[i], c));

@@ -5,10 +5,9 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { cubeMesh } from '../support/meshes.mjs';
+import { openCubeWithCones } from './shapes.mjs';
 import {
   commandLine,
-  openMesh,
   pixels,
   run,
   saveAs,
@@ -27,7 +26,7 @@ const vertexOf = (i) => it.page.locator(`tr[data-cone="${i}"] td`).first().inner
 /** A map of a rounded cube, with a cone in the middle of the 3D view; returns where it is. */
 async function mapped() {
   const { page } = it;
-  await openMesh(it, cubeMesh(16));
+  await openCubeWithCones(it);
   await run(it);
   await settled(page);
   await page.click('tr[data-cone="0"] [aria-label$="frame"]');

@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { cubeMesh } from '../support/meshes.mjs';
+import { openCubeWithCones } from './shapes.mjs';
 import {
   drop,
   kOf,
@@ -285,7 +286,10 @@ test('who cancels a run, stops a map or sets a limit that is too short, asks for
 
 test('a cone that leaps and is dropped there has its map from a run, also where maps do not follow edits', async () => {
   const { page } = it;
-  await mapped(false);
+  await openCubeWithCones(it);
+  await run(it);
+  await page.locator('#automatic').setChecked(false);
+  await settled(page);
   const { x, y } = await framed(0);
   const vertex = () => page.locator('tr[data-cone="0"] td').first().innerText();
   const before = await vertex();

@@ -1,4 +1,5 @@
 import { cubeMesh } from '../support/meshes.mjs';
+import { drop, openMesh } from './support.mjs';
 
 /** A flat square of n × n fields in the plane z = 0, seen from +z; the middle vertex where n is even. */
 export function flatSquare(n) {
@@ -140,4 +141,18 @@ export function hornedBox(turn, shift) {
     [p[0], p[1], p[2]] = [c * x - s * z + shift, y - 2 * shift, s * x + c * z + 0.3];
   }
   return { mesh, normal: [c, 0, s] };
+}
+
+/** Opens a rounded cube with half turns in the middle of four faces: front, back, right and left. */
+export async function openCubeWithCones(it) {
+  const mesh = cubeMesh(16);
+  const middle = (axis, sign) =>
+    mesh.vertices.findIndex((p) => p.every((x, i) => Math.abs(x - (i === axis ? sign : 0)) < 1e-9));
+  const places = [middle(2, 1), middle(2, -1), middle(0, 1), middle(0, -1)];
+  const cones = places.map((vertex) => ({ vertex, k: 2 }));
+  await openMesh(it, mesh);
+  await drop(it, {
+    'faces.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones }),
+  });
+  await it.page.waitForSelector('tr[data-cone="3"]');
 }

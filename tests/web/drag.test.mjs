@@ -16,6 +16,7 @@ import {
   state,
   statusText,
   useBrowser,
+  workerCalls,
 } from './support.mjs';
 
 const it = useBrowser();
@@ -100,6 +101,31 @@ test('the map follows the hand, and is the result when the cone is dropped', asy
   assert.equal(await page.locator('#dragged').count(), 0);
   await page.keyboard.press('Control+Shift+z');
   await page.waitForSelector('#dragged');
+});
+
+test('while the pointer rests on a cone its drag is prepared', async () => {
+  const { page } = it;
+  const { x, y } = await mapped();
+  const calls = await workerCalls(page);
+  const begun = async () => (await calls.names()).filter((name) => name === 'beginDrag').length;
+  const isBegun = async (count) => {
+    while ((await begun()) < count) await page.waitForTimeout(20);
+  };
+  await page.mouse.move(x, y);
+  await isBegun(1);
+  await page.mouse.down();
+  for (let i = 1; i <= 6; i++) await page.mouse.move(x + 6 * i, y);
+  await liveIs(page, 'certified');
+  await page.mouse.up();
+  await page.waitForSelector('#dragged');
+  await settled(page);
+  assert.equal(await begun(), 1);
+  // Once more, and given up where the pointer leaves.
+  await calls.forget();
+  await page.mouse.move(x + 36, y - 1);
+  await isBegun(1);
+  await page.mouse.move(5, 5);
+  while (!(await calls.names()).includes('release')) await page.waitForTimeout(20);
 });
 
 test('a cone that is put back with Escape leaves the map as it was', async () => {

@@ -7,7 +7,7 @@ import { blocks, eight } from '../../support/blocks.mjs';
 import { cubeMesh, toObj } from '../../support/meshes.mjs';
 import { drawn, openFiles, openPage, runNow, skip, until } from './whole_page.mjs';
 
-const { beginLive, cancelLive, dragLive, dropLive } = await import('../../../web/src/actions/drag_live.ts'); // prettier-ignore
+const { beginLive, cancelLive, dragLive, dropLive, pointAtCone } = await import('../../../web/src/actions/drag_live.ts'); // prettier-ignore
 const { moveCone, setPrescription } = await import('../../../web/src/actions/edit_cones.ts');
 const { undo } = await import('../../../web/src/actions/undo.ts');
 
@@ -80,6 +80,52 @@ test('a cone takes the map along; where it is dropped the map is stored, in one 
   dropLive(app, 'nothing is held');
   dragLive(app);
   assert.equal(doc.live, undefined);
+}); // prettier-ignore
+
+test('a drag is prepared while the pointer rests on its cone, and given up where it goes on', { skip }, async (t) => {
+  const app = await pageWith(t);
+  const { doc } = app;
+  await runNow(app);
+  const maps = Object.getPrototypeOf(doc.current.map);
+  const { beginDrag } = maps;
+  t.after(() => (maps.beginDrag = beginDrag));
+  const asked = [];
+  maps.beginDrag = function (...args) {
+    asked.push(beginDrag.apply(this, args));
+    return asked.at(-1);
+  };
+  const isAsked = (count) => until(() => asked.length === count, `${count} drags`, 20);
+  const pause = () => new Promise((done) => setTimeout(done, 300));
+
+  pointAtCone(app, 0);
+  pointAtCone(app, 0);
+  await isAsked(1);
+  await pause();
+  const live = await drag(app, 0, besideCone(app, 0));
+  assert.equal(live.state, 'certified');
+  assert.equal(doc.current.isDragged, true);
+  assert.deepEqual([asked.length, (await asked[0]).isDisposed], [1, true]);
+
+  // The same cone once more, now that its map is another one.
+  pointAtCone(app, 0);
+  await isAsked(2);
+  pointAtCone(app, -1);
+  const left = await asked[1];
+  await until(() => left.isDisposed, 'the end of what was prepared', 20);
+  pointAtCone(app, 0); // only passes
+  pointAtCone(app, 1);
+  await isAsked(3);
+  await drag(app, 0, besideCone(app, 0), { drops: false });
+  assert.equal(asked.length, 4, 'prepared for another cone');
+  assert.deepEqual((await Promise.all(asked)).map((one) => one.isDisposed), [true, true, true, true]); // prettier-ignore
+
+  // No map of these cones is shown: a run may be on its way.
+  moveCone(app, 1, besideCone(app, 1), 'away');
+  assert.equal(doc.current, undefined);
+  pointAtCone(app, -1);
+  pointAtCone(app, 0);
+  await pause();
+  assert.equal(asked.length, 4);
 }); // prettier-ignore
 
 test('only a certified map of these cones, settings and surface that the solver has is taken along', { skip }, async (t) => {

@@ -31,6 +31,9 @@ function since(begin: number): Going['approached'] {
 /** Milliseconds without a movement after which a hand rests. */
 const rest = 80;
 
+/** Milliseconds on a cone after which its drag is prepared: a pointer that only passes asks for nothing. */
+const dwell = 120;
+
 /** A cone that is held, from the press of the button until the map of its place is stored or given up. */
 interface Hold {
   cone: number;
@@ -45,9 +48,20 @@ interface Hold {
   released: Promise<string>;
 }
 
+/** A drag that is prepared before the button is pressed. */
+interface Prepared {
+  base: Solution;
+  vertex: number;
+  drag: Promise<Drag>;
+}
+
 interface Holds {
   /** The cone under the hand. */
   current?: Hold;
+  /** The cone under the pointer, while no button is pressed. */
+  pointed?: number;
+  timer?: ReturnType<typeof setTimeout>;
+  prepared?: Prepared;
   /** How many are held or being stored. */
   open: number;
   /** The end of the last one, before which no other is prepared. */
@@ -92,6 +106,42 @@ function baseOf({ doc }: App, prescription: Prescription, cone: number): Solutio
   return usable.findLast(isHere) ?? usable.findLast(isBeside);
 }
 
+/** The pointer is on a cone, or on none (−1). The map is prepared for a cone that will probably be dragged. */
+export function pointAtCone(app: App, cone: number): void {
+  const holds = holdsIn(app);
+  if (cone === (holds.pointed ?? -1)) return;
+  clearTimeout(holds.timer);
+  void takePrepared(holds);
+  holds.pointed = cone;
+  if (cone >= 0) holds.timer = setTimeout(() => prepare(app, holds, cone), dwell);
+}
+
+/** Only for the map that is shown: with another one a run may be on its way, which this would stop. */
+function prepare(app: App, holds: Holds, cone: number): void {
+  const { doc } = app;
+  const base = holds.open === 0 ? baseOf(app, doc.prescription, cone) : undefined;
+  const vertex = base?.prescription.cones[cone]?.vertex;
+  if (!base || base !== doc.current || vertex === undefined) return;
+  const drag = base.map.beginDrag(vertex);
+  drag.catch(() => undefined); // the press tries again, and reports
+  holds.prepared = { base, vertex, drag };
+}
+
+/** The drag that was prepared for a cone of a map, if there is one; any other one is given up. */
+async function takePrepared(
+  holds: Holds,
+  base?: Solution,
+  vertex?: number,
+): Promise<Drag | undefined> {
+  const { prepared } = holds;
+  holds.prepared = undefined;
+  const drag = await prepared?.drag.catch(() => undefined);
+  if (!drag || (prepared?.base === base && prepared?.vertex === vertex && !drag.isDisposed))
+    return drag;
+  await drag.dispose().catch(() => undefined);
+  return undefined;
+}
+
 /** Prepares the map for a cone that is about to be dragged; returns when the drag is over and stored. */
 export async function beginLive(app: App, cone: number): Promise<void> {
   cancelLive(app); // of a button whose release was not seen
@@ -102,6 +152,8 @@ export async function beginLive(app: App, cone: number): Promise<void> {
   const hold: Hold = { cone, pressed, isCancelled: false, isDropped: false, release, released };
   holds.current = hold;
   holds.open += 1;
+  clearTimeout(holds.timer);
+  holds.pointed = undefined;
   app.ui.holdsCone = true; // no map is made by itself: the solver is free for the frames
   const previous = holds.last;
   const work = previous.then(() => follow(app, hold));
@@ -123,8 +175,10 @@ async function follow(app: App, hold: Hold): Promise<void> {
   const vertex = base?.prescription.cones[cone]?.vertex;
   if (base && vertex !== undefined) {
     const latest = Promise.resolve(undefined);
-    const drag = base.map.beginDrag(vertex);
     const begin = performance.now();
+    const drag = takePrepared(holdsIn(app), base, vertex).then(
+      (prepared) => prepared ?? base.map.beginDrag(vertex),
+    );
     const going: Going = { base, drag, wanted: vertex, latest, approached: { at: begin, took: 0 } };
     drag.then(() => (going.approached = since(begin))).catch(() => undefined);
     hold.going = going;

@@ -1,7 +1,7 @@
 // Mouse, pen and touch on the two views: placing, selecting and dragging cones, and hovering.
 
 import { attempt, type AppView } from '../actions/app';
-import { beginLive, cancelLive, dragLive, dropLive } from '../actions/drag_live';
+import { beginLive, cancelLive, dragLive, dropLive, pointAtCone } from '../actions/drag_live';
 import { coneToPlace, moveCone, select } from '../actions/edit_cones';
 import { chooseChain } from '../actions/features';
 import { edgeMap } from '../actions/keep_features';
@@ -64,18 +64,16 @@ export class Pointer {
     }
   }
 
-  #coneNear(view: View, event: PointerEvent): number {
+  #coneNear(view: View, event: PointerEvent, front = view.pick(event)): number {
     const surfaceView = this.#model;
     const { cones } = this.#app.doc.prescription;
     const within = markerReach[event.pointerType as keyof typeof markerReach] ?? markerReach.mouse;
     if (view !== surfaceView) {
-      const hit = view.pick(event);
-      return hit && hit.pixels < within
-        ? cones.findIndex(({ vertex }) => vertex === hit.vertex)
+      return front && front.pixels < within
+        ? cones.findIndex(({ vertex }) => vertex === front.vertex)
         : -1;
     }
     const box = view.canvas.getBoundingClientRect();
-    const front = view.pick(event);
     let best = -1;
     let nearest: number = within;
     cones.forEach(({ vertex }, i) => {
@@ -220,6 +218,7 @@ export class Pointer {
   #leave(): void {
     const { ui } = this.#app;
     this.#model.pointAt(-1);
+    pointAtCone(this.#app, -1);
     if (ui.hover === '') return;
     ui.hover = '';
     clearHighlight(this.#app);
@@ -252,6 +251,7 @@ export class Pointer {
     if (this.#pointAtMesh(view, event)) return;
     const hit = view.pick(event);
     if (!hit) return this.#leave();
+    pointAtCone(this.#app, this.#coneNear(view, event, hit));
     const seam = this.#seamOf(hit);
     const { current } = doc;
     const ends = seam === undefined || !current ? undefined : current.seams[seam];

@@ -87,7 +87,7 @@ Eigen::MatrixXd ConeMetric::moveResponse(const std::vector<UnitMove>& moves) con
   });
 }
 
-/// Block by block, because arrays of dozens of megabytes come from the system page by page.
+/// Block by block, so that beside the result only a block of columns takes memory.
 template <class AddGap>
 Eigen::MatrixXd ConeMetric::responses(std::size_t count, const AddGap& addGap) const {
   constexpr Eigen::Index kBlock = 16;

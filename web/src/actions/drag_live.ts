@@ -109,7 +109,7 @@ function baseOf({ doc }: App, prescription: Prescription, cone: number): Solutio
 /** The pointer is on a cone, or on none (−1). The map is prepared for a cone that will probably be dragged. */
 export function pointAtCone(app: App, cone: number): void {
   const holds = holdsIn(app);
-  if (cone === (holds.pointed ?? -1)) return;
+  if (cone === holds.pointed) return;
   clearTimeout(holds.timer);
   void takePrepared(holds);
   holds.pointed = cone;

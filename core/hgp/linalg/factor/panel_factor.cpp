@@ -216,26 +216,6 @@ void PanelFactor<Scalar>::forward(Eigen::Ref<Matrix> x) const {
     for (const Term& term : above.left(static_cast<int>(i))) x(term.row, term.column) += term.value;
 }
 
-// The first columns of x, as many as are a multiple of four; returns their number.
-template <class Scalar>
-Eigen::Index PanelFactor<Scalar>::backwardByFours(int t, const Panel<Scalar>& P,
-                                                  Eigen::Ref<Matrix> x) const {
-  const SymbolicFactor& f = *symbolic_;
-  const int s = f.pivots(t), r = f.rowCount(t), first = f.nodeStart[t];
-  std::vector<Four<Scalar>> w(x.cols() < 4 ? 0 : static_cast<std::size_t>(s + r));
-  Eigen::Index c = 0;
-  for (; c + 4 <= x.cols(); c += 4) {
-    for (int j = 0; j < 4; ++j) {
-      for (int k = 0; k < s; ++k) w[k].set(j, x(first + k, c + j));
-      for (int i = 0; i < r; ++i) w[s + i].set(j, x(f.rowsOf(t)[i], c + j));
-    }
-    P.backward(w.data());
-    for (int j = 0; j < 4; ++j)
-      for (int k = 0; k < s; ++k) x(first + k, c + j) = w[k].at(j);
-  }
-  return c;
-}
-
 template <class Scalar>
 void PanelFactor<Scalar>::backward(Eigen::Ref<Matrix> x) const {
   const SymbolicFactor& f = *symbolic_;
@@ -245,9 +225,7 @@ void PanelFactor<Scalar>::backward(Eigen::Ref<Matrix> x) const {
     const int s = f.pivots(t), r = f.rowCount(t);
     const Panel<Scalar> P{panel(t), s + r, s};
     std::vector<Scalar>& w = scratch[slot];
-    Eigen::Index c = 0;
-    if constexpr (kDoubles<Scalar> == 1) c = backwardByFours(t, P, x);  // complex systems have one
-    for (; c < x.cols(); ++c) {
+    for (Eigen::Index c = 0; c < x.cols(); ++c) {
       Scalar* const top = &x(f.nodeStart[t], c);
       w.assign(top, top + s);
       for (int i = 0; i < r; ++i) w.push_back(x(f.rowsOf(t)[i], c));

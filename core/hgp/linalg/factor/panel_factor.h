@@ -29,9 +29,6 @@ struct FrontSource {
   std::function<void(int t, const int* local, Scalar* panel, Scalar* complement)> addToComplement;
 };
 
-template <class Scalar>
-struct Panel;
-
 /// The panels [L11; L21] of the nodes of one class.
 template <class Scalar>
 class PanelFactor {
@@ -60,7 +57,6 @@ class PanelFactor {
  private:
   Scalar* panel(int t) const { return reinterpret_cast<Scalar*>(panels_.get()) + start_[t]; }
   struct Scratch;  // of one thread
-  Eigen::Index backwardByFours(int t, const Panel<Scalar>& P, Eigen::Ref<Matrix> x) const;
   int eliminateNode(int t, const FrontSource<Scalar>& source, const std::vector<double>& diagonal,
                     std::vector<Contribution<Scalar>>& held, Scratch& scratch);
   void extendAdd(int child, const Contribution<Scalar>& from, const int* local, int pivots,

@@ -58,8 +58,8 @@ constexpr Phrase kMaps[] = {
      "{steps|step} of features would have no length, because the lines around allow none; the "
      "map goes straight on there."},
     {"features-moved",
-     "{units|cone or corner was|cones and corners were} moved, because with those of the smoothest "
-     "field lengths contradict each other"},
+     "{units|cone or corner was|cones and corners were} moved, because no map was found with those "
+     "of the smoothest field"},
     {"features-split",
      "THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, because a "
      "map along all features[grid:, on the lines of a grid,] has no room otherwise. The certified "

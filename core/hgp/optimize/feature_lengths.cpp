@@ -12,7 +12,11 @@
 namespace hgp {
 namespace {
 
-constexpr int kMaxNewtonSteps = 60;
+constexpr int kMaxIterations = 60;
+/// Residuals and products t y of the interior point, relative to a shortfall of 1.
+constexpr double kAccuracy = 1e-8;
+/// Share of the step to the boundary.
+constexpr double kStepToBoundary = 0.99;
 /// Weight of |x|², relative to the matrix: what no edge determines stays 0.
 constexpr double kHold = 1e-9;
 /// Shares of the largest shortfall and of 1: shorter edges are listed, and none is beyond doubt positive.
@@ -43,20 +47,6 @@ struct LengthRows {
     for (std::size_t e = 0; e < rows.size(); ++e)
       for (const Entry& a : rows[e]) x[a.unknown] += a.value * r[static_cast<Eigen::Index>(e)];
     return x;
-  }
-  /// Gᵀ D G + hold, D with 1 at the rows with r > 0 and 0 elsewhere; all of them have the same pattern.
-  Sparse normal(const Eigen::VectorXd& r, double hold) const {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t e = 0; e < rows.size(); ++e) {
-      const double weight = r[static_cast<Eigen::Index>(e)] > 0.0 ? 1.0 : 0.0;
-      for (const Entry& a : rows[e])
-        for (const Entry& b : rows[e])
-          entries.emplace_back(a.unknown, b.unknown, weight * a.value * b.value);
-    }
-    for (int i = 0; i < unknowns; ++i) entries.emplace_back(i, i, hold);
-    Sparse H(unknowns, unknowns);
-    H.setFromTriplets(entries.begin(), entries.end());
-    return H;
   }
   double squaredNorm() const {
     double sum = 0.0;
@@ -93,6 +83,120 @@ LengthRows lengthRows(const StraightSystem& straight) {
   return G;
 }
 
+/// Gᵀ W G + hold for one set of weights after another.
+class Normal {
+ public:
+  Normal(const LengthRows& G, double hold)
+      : G_(G), hold_(hold), matrix_(std::max(G.unknowns, 1), std::max(G.unknowns, 1)) {
+    std::vector<Eigen::Triplet<double>> pattern;
+    for (int i = 0; i < matrix_.rows(); ++i) pattern.emplace_back(i, i, 0.0);
+    for (const auto& row : G.rows)
+      for (const auto& a : row)
+        for (const auto& b : row) pattern.emplace_back(a.unknown, b.unknown, 0.0);
+    matrix_.setFromTriplets(pattern.begin(), pattern.end());
+    for (int i = 0; i < matrix_.rows(); ++i) diagonal_.push_back(place(i, i));
+    for (const auto& row : G.rows)
+      for (const auto& a : row)
+        for (const auto& b : row) places_.push_back(place(a.unknown, b.unknown));
+    const linalg::Graph graph = linalg::graphOf(matrix_);
+    factor_.analyze(graph, linalg::nestedDissection(graph));
+  }
+
+  bool factor(const Eigen::ArrayXd& weight) {
+    double* numbers = matrix_.valuePtr();
+    std::fill(numbers, numbers + matrix_.nonZeros(), 0.0);
+    for (const int i : diagonal_) numbers[i] = hold_;
+    const int* next = places_.data();
+    for (std::size_t e = 0; e < G_.rows.size(); ++e)
+      for (const auto& a : G_.rows[e])
+        for (const auto& b : G_.rows[e])
+          numbers[*next++] += weight[static_cast<Eigen::Index>(e)] * a.value * b.value;
+    return static_cast<bool>(factor_.factor(matrix_));
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
+    return factor_.solve(Eigen::MatrixXd(rhs)).col(0);
+  }
+
+ private:
+  int place(int row, int column) const {
+    const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+    const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+    return static_cast<int>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
+  }
+
+  const LengthRows& G_;
+  const double hold_;
+  Sparse matrix_;
+  std::vector<int> diagonal_, places_;
+  linalg::MultifrontalCholesky<double> factor_;
+};
+
+/// min ½ |y|² + ½ hold |x|² over t = G x + y − 1 ≥ 0, y ≥ 0: Mehrotra's predictor–corrector method.
+class ShortfallFit {
+ public:
+  ShortfallFit(const LengthRows& G, double hold)
+      : G_(G),
+        hold_(hold),
+        normal_(G, hold),
+        x_(Eigen::VectorXd::Zero(G.unknowns)),
+        y_(Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(G.rows.size()))),
+        t_(y_) {}
+
+  /// max(0, 1 − G x) at the minimum.
+  Eigen::VectorXd run() {
+    for (int k = 0; k < kMaxIterations && t_.size() > 0; ++k) {
+      const double mu = (t_ * y_).mean();
+      pull_ = G_.transposedTimes(y_.matrix()) - hold_ * x_;
+      gap_ = 1.0 - G_.times(x_).array() - y_ + t_;
+      if (std::max({mu, gap_.abs().maxCoeff(), pull_.cwiseAbs().maxCoeff()}) < kAccuracy) break;
+      if (!normal_.factor(y_ / (t_ + y_))) break;
+      const Step affine = step(-t_ * y_);
+      const double left = 1.0 - reach(affine, 1.0);
+      const Step next = step(left * left * left * mu - t_ * y_ - affine.t * affine.y);
+      const double length = std::min(1.0, reach(next, kStepToBoundary));
+      x_ += length * next.x;
+      y_ += length * next.y;
+      t_ += length * next.t;
+    }
+    return (1.0 - G_.times(x_).array()).max(0.0);
+  }
+
+ private:
+  struct Step {
+    Eigen::VectorXd x;
+    Eigen::ArrayXd y, t;
+  };
+
+  /// The step that changes t y by c and removes both residuals.
+  Step step(const Eigen::ArrayXd& c) const {
+    const Eigen::ArrayXd shift = (c + y_ * gap_) / (t_ + y_);
+    Step step;
+    step.x = normal_.solve(pull_ + G_.transposedTimes(shift.matrix()));
+    const Eigen::ArrayXd lengths = G_.times(step.x);
+    step.y = shift - y_ / (t_ + y_) * lengths;
+    step.t = lengths + step.y - gap_;
+    return step;
+  }
+
+  double reach(const Step& step, double share) const {
+    double length = 1.0 / share;
+    for (Eigen::Index e = 0; e < y_.size(); ++e) {
+      if (step.y[e] < 0.0) length = std::min(length, -y_[e] / step.y[e]);
+      if (step.t[e] < 0.0) length = std::min(length, -t_[e] / step.t[e]);
+    }
+    return share * length;
+  }
+
+  const LengthRows& G_;
+  const double hold_;
+  Normal normal_;
+  Eigen::VectorXd x_;
+  Eigen::ArrayXd y_, t_;  ///< shortfalls, and the slacks of t = G x + y − 1
+  Eigen::VectorXd pull_;
+  Eigen::ArrayXd gap_;
+};
+
 /// Whether two copies have the same real (part 0) or imaginary part for all values of the unknowns.
 bool areEqual(const RealUnknowns& unknowns, int a, int b, int part) {
   RealUnknowns::Rows::InnerIterator p(unknowns.rows, 2 * a + part), q(unknowns.rows, 2 * b + part);
@@ -124,31 +228,8 @@ std::vector<FaceId> flatFaces(const StraightSystem& straight) {
 LengthFit fitLengths(const StraightSystem& straight) {
   const LengthRows G = lengthRows(straight);
   LengthFit out;
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(G.unknowns);
   const double hold = kHold * (1.0 + G.squaredNorm() / std::max(1, G.unknowns));
-  const auto shortfall = [&](const Eigen::VectorXd& at) {
-    Eigen::VectorXd r = G.times(at);
-    for (double& length : r) length = std::max(1.0 - length, 0.0);
-    return r;
-  };
-  const auto value = [&](const Eigen::VectorXd& at) {
-    return shortfall(at).squaredNorm() + hold * at.squaredNorm();
-  };
-  Eigen::VectorXd r = shortfall(x);
-  linalg::MultifrontalCholesky<double> factor;
-  const linalg::Graph graph = linalg::graphOf(G.normal(r, hold));
-  factor.analyze(graph, linalg::nestedDissection(graph));
-  for (int step = 0; step < kMaxNewtonSteps; ++step) {
-    if (!factor.factor(G.normal(r, hold))) break;
-    const Eigen::VectorXd down = G.transposedTimes(r) - hold * x;
-    const Eigen::VectorXd dx = factor.solve(Eigen::MatrixXd(down)).col(0);
-    const double before = value(x), slope = down.dot(dx);
-    double length = 1.0;
-    while (length > 1e-6 && value(x + length * dx) > before - 0.1 * length * slope) length *= 0.5;
-    x += length * dx;
-    r = shortfall(x);
-    if (slope <= 1e-12 * (1.0 + before)) break;
-  }
+  const Eigen::VectorXd r = ShortfallFit(G, hold).run();
   out.flat = flatFaces(straight);
   out.excess = r.squaredNorm() + static_cast<double>(out.flat.size());
   const double largest = r.size() > 0 ? r.maxCoeff() : 0.0;

@@ -294,14 +294,26 @@ TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
   EXPECT_EQ(run->certificate.features.corners, 0);
   ASSERT_FALSE(run->notes.empty());
   EXPECT_EQ(run->notes.back(), Note("features-straightened", {{"steps", 1}}));
+  EXPECT_EQ(run->rounds.size(), 1U) << "no program is solved for the field with the step";
+}
+
+/// A cube whose vertices are moved at random, each coordinate by up to `size` / 2 of an edge.
+TriMesh shakenCube(int n, unsigned seed, double size) {
+  MeshData data = test::cube(n).data;
+  for (Vec3& p : data.positions)
+    for (double& x : p) {
+      seed = seed * 1664525U + 1013904223U;
+      x += size / n * ((seed >> 8) / 16777216.0 - 0.5);
+    }
+  return test::meshOf(data);
 }
 
 TEST(AlongFeatures, RoundsThatDoNotSufficeLeaveNoMapAndAreNoCancellation) {
-  const TriMesh mesh = steppedCylinder(48, 8, 0.7);
+  const TriMesh mesh = shakenCube(3, 15851, 0.6);
   HolonomySpec spec;
-  spec.features = test::creasesOf(mesh);
+  spec.features = test::creasesOf(test::cube(3).mesh());
   int rounds = 1;
-  for (bool isCertified = false; !isCertified && rounds < 9; ++rounds) {
+  for (bool isCertified = false; !isCertified && rounds < 12; ++rounds) {
     PreparedSurface surface(mesh);
     ParametrizeOptions options;
     options.maxRounds = rounds;
@@ -310,8 +322,8 @@ TEST(AlongFeatures, RoundsThatDoNotSufficeLeaveNoMapAndAreNoCancellation) {
     EXPECT_LE(static_cast<int>(run->rounds.size()), rounds);
     isCertified = run->isCertified;
   }
-  EXPECT_GT(rounds, 2) << "one round is not enough for a step that has to be straightened";
-  EXPECT_LT(rounds, 9);
+  EXPECT_GT(rounds, 2) << "one round is not enough where frames contradict each other";
+  EXPECT_LT(rounds, 12);
 }
 
 TEST(AlongFeatures, CornersMoveWhereTheirLengthsContradictEachOther) {

@@ -9,6 +9,7 @@
 #include "hgp/base/portable_math.h"
 #include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/along/along_features.h"
+#include "hgp/parametrize/along/given_values.h"
 #include "hgp/parametrize/along/straight_run.h"
 #include "hgp/quads/quads.h"
 #include "support/creases.h"
@@ -221,6 +222,56 @@ TEST(AlongGrid, WhereFramesLeaveNoMapOneWithoutThemShowsOthers) {
     misled += rounds.size() > 1 ? 1 : 0;  // a disk turns as a whole
   }
   EXPECT_GT(misled, 2);
+}
+
+TEST(AlongGrid, TrianglesThatGivenValuesReverseAreKnownBeforeAProgram) {
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    PreparedSurface surface(shape.mesh);
+    std::vector<StageTime> times;
+    const ParametrizeOptions options;
+    const auto setup = prepareStraight(surface, shape.features, HolonomySpec{}, options, times);
+    ASSERT_TRUE(setup) << shape.name;
+    std::vector<Round> rounds;
+    const auto solved = StraightRun(shape.mesh, *setup, options, rounds).run();
+    ASSERT_TRUE(solved && solved->certificate.isCertified) << shape.name;
+    Eigen::VectorXd x = solved->program.x;
+    GivenValues given;
+    const auto reversed = [&] {
+      given.clear();
+      for (int i = 0; i < setup->unknowns.count; ++i) given.push_back({i, x[i]});
+      return reversedByGiven(shape.mesh, *setup, given);
+    };
+    EXPECT_TRUE(reversed().empty()) << shape.name;
+    // One value that is far off.
+    x[x.size() / 2] += 1e3;
+    const std::vector<Complex> z = placesOf(setup->unknowns, x);
+    std::vector<FaceId> turned;
+    for (FaceId f : shape.mesh.faces()) {
+      const auto corner = [&](int k) {
+        return z[at(setup->seamless.cut.copy[TriMesh::halfedge(f, k)].i)];
+      };
+      const Complex a = corner(0), b = corner(1) - a, c = corner(2) - a;
+      if (!(b.real() * c.imag() > b.imag() * c.real())) turned.push_back(f);
+    }
+    EXPECT_FALSE(turned.empty()) << shape.name;
+    EXPECT_EQ(reversed(), turned) << shape.name;
+    // Of a vertex with a coordinate that is not given nothing is known.
+    x.setZero();
+    EXPECT_EQ(reversed().size(), at(shape.mesh.faceCount())) << "no area is not positive";
+    for (VertexId v : shape.mesh.vertices()) {
+      const int unknown = setup->seamless.unknowns.vertexUnknown[v];
+      if (unknown < 0 || shape.mesh.isBoundary(v) || setup->aligned.sectors.isOnFeature[v])
+        continue;
+      std::erase_if(given, [&](const auto& pair) {
+        return setup->unknowns.variable[at(pair.first)] == 2 * unknown + 1;
+      });
+      const std::vector<FaceId> left = reversedByGiven(shape.mesh, *setup, given);
+      for (HalfedgeId h : outgoingHalfedges(shape.mesh, v))
+        EXPECT_FALSE(std::binary_search(left.begin(), left.end(), TriMesh::face(h)));
+      EXPECT_FALSE(left.empty()) << shape.name;
+      break;
+    }
+  }
 }
 
 TEST(AlongGrid, FramesOfAMapTurnBackWithIt) {

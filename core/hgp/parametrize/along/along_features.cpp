@@ -67,8 +67,9 @@ struct StraightOutcome {
   StraightAttempt attempt;
 };
 
-/// Solves along one field after another: where lengths contradict each other, the shortest step among the contradicting
-/// edges is straightened, and where that does not help, the next one. If no step helps, units of the first field are moved.
+/// Solves along one field after another. Where lengths contradict each other, which is known before a program is solved, the
+/// shortest step among the contradicting edges is straightened, and where that does not help, the next one. If no step helps,
+/// units of the first field are moved.
 class StepSearch {
  public:
   StepSearch(PreparedSurface& surface, const ParametrizeOptions& options, Parametrization& result)
@@ -79,34 +80,32 @@ class StepSearch {
       StageClock clock(options_.progress, result_.times);
       if (!clock.begin(Stage::kSolve)) return clock.cancelled();
       StraightRun run(surface_.mesh(), setup, options_, result_.rounds);
+      const std::vector<HalfedgeId>& edges = run.shortEdges();
+      contradicting_ = static_cast<int>(edges.size());
+      std::optional<StraightSetup> next;
+      isCutShort_ = isLast();
+      if (!edges.empty() && !isCutShort_) {
+        clock.end();
+        if (Status done = prepareNext(setup, edges, next); !done) return std::move(done).error();
+        if (next) {
+          setup = std::move(*next);
+          continue;
+        }
+        if (!clock.begin(Stage::kSolve)) return clock.cancelled();
+      }
       std::optional<StraightAttempt> attempt = run.run();
       if (!attempt) return clock.cancelled();
       clock.end();
-      const std::vector<HalfedgeId> edges = run.shortEdges();
-      contradicting_ = static_cast<int>(edges.size());
-      StraightOutcome outcome{std::move(setup), std::move(*attempt)};
-      // The rounds are those of all fields together; a run that may take none has no map.
-      const bool isLast = static_cast<int>(result_.rounds.size()) >= options_.maxRounds;
-      if (outcome.attempt.certificate.isCertified || isLast) return outcome;
-      std::optional<AlignedField> next;
-      if (!edges.empty() && !isSearched_ && static_cast<int>(tried_.size()) < kMaxSteps)
-        next = nextField(outcome.setup.aligned, edges);
-      if (next) {
-        if (!first_) first_ = outcome.setup;
-        ++straightened_;
-      } else if (Status done = search(first_ ? *first_ : outcome.setup, next); !done) {
-        return clock.cancelled();
-      }
-      if (!next) return outcome;
-      Result<StraightSetup> again =
-          prepareStraight(surface_, outcome.setup.seamless.field.spec.features, std::move(*next),
-                          options_, result_.times);
-      if (!again) return outcome;
-      setup = std::move(*again);
+      const bool isFound = attempt->certificate.isCertified;
+      if (!isFound && !isLast() && edges.empty())
+        if (Status done = prepareNext(setup, {}, next); !done) return std::move(done).error();
+      if (!next) return StraightOutcome{std::move(setup), std::move(*attempt)};
+      setup = std::move(*next);
     }
   }
 
-  bool isContradicting() const { return contradicting_ > 0; }
+  /// No field with possible lengths was found.
+  bool isContradicting() const { return contradicting_ > 0 && !isCutShort_; }
 
   void note() const {
     if (contradicting_ > 0)
@@ -118,19 +117,46 @@ class StepSearch {
   }
 
  private:
-  /// A field with other indices: first one with possible lengths, then one with a map.
-  Status search(const StraightSetup& setup, std::optional<AlignedField>& next) {
-    for (const IndexGoal goal : {IndexGoal::kLengths, IndexGoal::kMap}) {
-      bool& isSearched = goal == IndexGoal::kLengths ? isSearched_ : isSearchedForMaps_;
-      if (next || std::exchange(isSearched, true)) continue;
-      IndexSearch found = searchIndices(surface_, setup, goal, options_);
+  /// The rounds are those of all fields together; a run that may take none has no map.
+  bool isLast() const { return static_cast<int>(result_.rounds.size()) >= options_.maxRounds; }
+
+  /// What comes after a field of which these edges contradict each other, or, where none do, that has no map. Nothing if
+  /// there is no other field.
+  Status prepareNext(const StraightSetup& setup, const std::vector<HalfedgeId>& edges,
+                     std::optional<StraightSetup>& next) {
+    std::optional<AlignedField> field;
+    if (!edges.empty() && !isSearched_ && static_cast<int>(tried_.size()) < kMaxSteps)
+      field = nextField(setup.aligned, edges);
+    if (field) {
+      if (!first_) first_ = setup;
+      ++straightened_;
+    } else if (Status done = search(setup, edges.empty(), field); !done) {
+      return done;
+    }
+    if (!field) return Done{};
+    Result<StraightSetup> prepared = prepareStraight(surface_, setup.seamless.field.spec.features,
+                                                     std::move(*field), options_, result_.times);
+    if (prepared) next = std::move(*prepared);
+    return Done{};
+  }
+
+  /// A field with other indices: one with possible lengths, where those of the first field are not; or one with a map, if
+  /// this one has possible lengths.
+  Status search(const StraightSetup& setup, bool arePossible, std::optional<AlignedField>& next) {
+    const auto take = [&](const StraightSetup& start, IndexGoal goal) -> Status {
+      IndexSearch found = searchIndices(surface_, start, goal, options_);
       if (found.isCancelled) return cancelled(Stage::kSolve);
-      if (!found.field) continue;
+      if (!found.field) return Done{};
       next = std::move(found.field);
       straightened_ = 0;
       moved_ += found.moves;
       first_.reset();
-    }
+      return Done{};
+    };
+    if ((first_ || !arePossible) && !std::exchange(isSearched_, true))
+      if (Status done = take(first_ ? *first_ : setup, IndexGoal::kLengths); !done) return done;
+    if (!next && arePossible && !std::exchange(isSearchedForMaps_, true))
+      return take(setup, IndexGoal::kMap);
     return Done{};
   }
 
@@ -169,51 +195,51 @@ class StepSearch {
   std::vector<std::vector<HalfedgeId>> tried_;  ///< runs of steps
   std::optional<StraightSetup> first_;          ///< before any step
   bool isSearched_ = false, isSearchedForMaps_ = false;
+  bool isCutShort_ = false;  ///< no rounds were left for the last field
   int contradicting_ = 0, straightened_ = 0, moved_ = 0;
 };
 
 /// Rounds after which the cones of a field are doubted, and those that other cones get before the full search.
 constexpr int kHurriedRounds = 2;
 
-/// A few rounds with one field: its map if that is certified, or the error; nothing where others may follow.
-std::optional<Result<StraightOutcome>> solveHurried(PreparedSurface& surface,
-                                                    const ParametrizeOptions& options,
-                                                    StraightSetup setup, bool& isContradicting,
-                                                    Parametrization& result) {
-  ParametrizeOptions few = options;
-  few.maxRounds = static_cast<int>(result.rounds.size()) + kHurriedRounds;
-  StepSearch search(surface, few, result);
-  Result<StraightOutcome> outcome = search.run(std::move(setup));
-  isContradicting = search.isContradicting();
-  if (outcome && !outcome->attempt.certificate.isCertified) return {};
-  if (outcome) search.note();
-  return outcome;
+ParametrizeOptions hurried(ParametrizeOptions options, const Parametrization& result) {
+  options.maxRounds = static_cast<int>(result.rounds.size()) + kHurriedRounds;
+  return options;
+}
+
+bool isSettled(const Result<StraightOutcome>& outcome) {
+  return !outcome || outcome->attempt.certificate.isCertified;
 }
 
 /// The full search, but where pairs of cones on flat places can be left out, a few rounds with all cones and a few without
 /// the pairs come first. Runs with few rounds have none to spare for that.
 Result<StraightOutcome> solveFields(PreparedSurface& surface, const ParametrizeOptions& options,
                                     StraightSetup setup, Parametrization& result) {
+  const auto finish = [](const StepSearch& search, Result<StraightOutcome>& outcome) {
+    if (outcome) search.note();
+    return std::move(outcome);
+  };
   std::optional<AlignedField> fewer;
   if (options.maxRounds > 2 * kHurriedRounds)
     fewer = withoutFlatPairs(surface.mesh(), surface.context().geometry, setup.aligned);
   if (fewer) {
-    bool isContradicting = false;
-    if (auto done = solveHurried(surface, options, setup, isContradicting, result))
-      return std::move(*done);
-    // Lengths that contradict each other are those of corners, which stay.
-    if (!isContradicting) {
-      Result<StraightSetup> other = prepareStraight(surface, setup.seamless.field.spec.features,
-                                                    std::move(*fewer), options, result.times);
-      if (other)
-        if (auto done = solveHurried(surface, options, std::move(*other), isContradicting, result))
-          return std::move(*done);
+    const ParametrizeOptions few = hurried(options, result);
+    StepSearch search(surface, few, result);
+    Result<StraightOutcome> outcome = search.run(setup);
+    // Lengths that contradict each other are those of corners, which stay without the pairs.
+    if (isSettled(outcome) || search.isContradicting()) return finish(search, outcome);
+    Result<StraightSetup> other = prepareStraight(surface, setup.seamless.field.spec.features,
+                                                  std::move(*fewer), options, result.times);
+    if (other) {
+      const ParametrizeOptions fewMore = hurried(options, result);
+      StepSearch without(surface, fewMore, result);
+      Result<StraightOutcome> found = without.run(std::move(*other));
+      if (isSettled(found)) return finish(without, found);
     }
   }
   StepSearch search(surface, options, result);
   Result<StraightOutcome> outcome = search.run(std::move(setup));
-  search.note();
-  return outcome;
+  return finish(search, outcome);
 }
 
 /// A certified map is put on the grid that is asked for, and there improved again.

@@ -11,6 +11,7 @@
 #include "hgp/grid/line_choice.h"
 #include "hgp/grid/line_gaps.h"
 #include "hgp/grid/snap.h"
+#include "hgp/parametrize/along/given_values.h"
 
 namespace hgp {
 namespace {
@@ -241,17 +242,18 @@ class GridAligner {
       out_.report.attempts.push_back({"work limit", density, 0});
       return true;
     }
-    GridAttempt record{"straight program", density, chosen->broken};
+    GridValues values{scale, {}, frames_, untanglings_};
+    const Eigen::VectorXd x = B_.triangularView<Eigen::Upper>().solve(chosen->y);
+    for (std::size_t i = 0; i < variables_.size(); ++i)
+      values.given.push_back({variables_[i], x[static_cast<Eigen::Index>(i)]});
+    holdOrigin(mesh_, setup_, variables_, values.given);
+    const int reversed = static_cast<int>(reversedByGiven(mesh_, setup_, values.given).size());
+    GridAttempt record{"straight program", density, std::max(chosen->broken, reversed)};
     if (record.turned > 0) {
       record.method = "lines that meet";
       out_.report.attempts.push_back(record);
       return false;
     }
-    const Eigen::VectorXd x = B_.triangularView<Eigen::Upper>().solve(chosen->y);
-    GridValues values{scale, {}, frames_, untanglings_};
-    for (std::size_t i = 0; i < variables_.size(); ++i)
-      values.given.push_back({variables_[i], x[static_cast<Eigen::Index>(i)]});
-    holdOrigin(values);
     ParametrizeOptions options = options_;
     options.maxRounds = kRoundsPerDensity;
     std::vector<Round> rounds;
@@ -270,30 +272,7 @@ class GridAligner {
     return isTaken;
   }
 
-  /// Parallel lines and seams that do not turn leave a translation of the map free: it is fixed.
-  void holdOrigin(GridValues& values) const {
-    const SeamlessSetup& seamless = setup_.seamless;
-    for (const auto& chain : seamless.cut.chains)
-      if (seamless.seams.rotation[chain.left.front()] != 0) return;
-    std::vector<char> isVertex(at(seamless.unknowns.count), 0);
-    for (VertexId v : mesh_.vertices())
-      if (seamless.unknowns.vertexUnknown[v] >= 0)
-        isVertex[at(seamless.unknowns.vertexUnknown[v])] = 1;
-    const auto isOf = [&](int unknown, int part) {
-      const int variable = setup_.unknowns.variable[at(unknown)];
-      return variable % 2 == part && isVertex[at(variable / 2)];
-    };
-    for (const int part : {0, 1}) {
-      bool isHeld = std::any_of(variables_.begin(), variables_.end(),
-                                [&](int unknown) { return isOf(unknown, part); });
-      for (int i = 0; !isHeld && i < setup_.unknowns.count; ++i) {
-        isHeld = isOf(i, part);
-        if (isHeld) values.given.push_back({i, 0.0});
-      }
-    }
-  }
-
-  bool take(StraightAttempt solved, const std::vector<std::pair<int, double>>& given) {
+  bool take(StraightAttempt solved, const GivenValues& given) {
     const CompleteSpec& spec = setup_.seamless.field.spec;
     std::optional<UvMap> snapped =
         snapAligned(mesh_, std::move(solved.map), 4, setup_.seamless.cones, spec.features);

@@ -7,6 +7,7 @@
 
 #include "hgp/base/portable_math.h"
 #include "hgp/mesh/face_rings.h"
+#include "hgp/optimize/feature_lengths.h"
 #include "hgp/optimize/untangle_straight.h"
 #include "hgp/parametrize/round.h"
 #include "hgp/parametrize/stage_clock.h"
@@ -98,7 +99,7 @@ void StraightRun::untangleBest() {
   const double most = grid_ ? grid_->untanglings : kPlainUntangling;
   const bool isLast = !grid_ && static_cast<int>(rounds_.size()) >= options_.maxRounds;
   const Eigen::VectorXd& x = best_->program.x;
-  const bool hasStart = x.size() > 0 && x.allFinite() && short_.empty();
+  const bool hasStart = x.size() > 0 && x.allFinite() && shortEdges().empty();
   if (isLast || !hasStart || kLongestUntangling * static_cast<double>(mesh_.faceCount()) > most)
     return;
   const SeamlessSetup& seamless = setup_.seamless;
@@ -143,7 +144,7 @@ bool StraightRun::isOver(const Weighting& weighting, std::vector<FaceId> hard) {
       best_ = std::move(attempt);
     if (best_->certificate.isCertified) return true;
     isStrained_ = isStrained_ || isInfeasible || isHopeless(wrong);
-    if (isInfeasible && growth == 0 && !grid_ && !findShort(weighting)) return true;
+    if (isInfeasible && !shortEdges().empty()) return true;
     if (isInfeasible || wrong.empty() || isHopeless(wrong)) return false;
     const std::vector<FaceId> more = growFaces(mesh_, wrong, 1);
     const std::size_t before = hard.size();
@@ -159,13 +160,13 @@ bool StraightRun::isHopeless(const std::vector<FaceId>& wrong) const {
   return grid_ && static_cast<double>(wrong.size()) > kHopeless * mesh_.faceCount();
 }
 
-/// Looks whether the lengths of feature edges contradict each other; false if that is so, or if it was cancelled.
-bool StraightRun::findShort(const Weighting& weighting) {
-  const StraightOptions program = optionsOf(weighting);
-  const SeamlessSystem system = systemOf(mesh_, setup_.seamless);
-  const StraightResult lengths = solveStraight(straightSystemOf(setup_, system), {}, program);
-  if (socp::isWithoutPoint(lengths.status)) short_ = lengths.conflictEdges;
-  return short_.empty() && !isCancelled_;
+const std::vector<HalfedgeId>& StraightRun::shortEdges() {
+  if (!short_ && !grid_) {
+    const SeamlessSystem system = systemOf(mesh_, setup_.seamless);
+    short_ = fitLengths(straightSystemOf(setup_, system)).edges;
+  }
+  if (!short_) short_.emplace();
+  return *short_;
 }
 
 StraightOptions StraightRun::optionsOf(const Weighting& weighting) {

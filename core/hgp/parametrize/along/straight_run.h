@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "hgp/parametrize/along/straight_setup.h"
+#include "hgp/parametrize/along/given_values.h"
 #include "hgp/verify/verdict.h"
 
 namespace hgp {
@@ -20,10 +20,10 @@ struct StraightAttempt {
 
 /// Unknowns on a grid.
 struct GridValues {
-  double scale = 1.0;                         ///< cells per unit of the map as solved
-  std::vector<std::pair<int, double>> given;  ///< in cells
-  PerFace<double> angle;                      ///< frames of the map as solved, as Frames::angles
-  double untanglings = 0.0;                   ///< Newton steps × triangles that may be spent
+  double scale = 1.0;        ///< cells per unit of the map as solved
+  GivenValues given;         ///< in cells
+  PerFace<double> angle;     ///< frames of the map as solved, as Frames::angles
+  double untanglings = 0.0;  ///< Newton steps × triangles that may be spent
 };
 
 class StraightRun {
@@ -45,8 +45,9 @@ class StraightRun {
   /// The map of the first program without frames.
   StraightAttempt solveWithoutFrames();
 
-  /// Edges whose lengths alone contradict each other, with frames left out; empty where they do not.
-  const std::vector<HalfedgeId>& shortEdges() const { return short_; }
+  /// Edges whose lengths alone contradict each other, with frames left out; empty where they do not. No program is solved
+  /// for that.
+  const std::vector<HalfedgeId>& shortEdges();
 
  private:
   struct Weighting;
@@ -54,7 +55,6 @@ class StraightRun {
   void solvePrograms();
   bool isOver(const Weighting& weighting, std::vector<FaceId> hard);
   void untangleBest();
-  bool findShort(const Weighting& weighting);
   StraightOptions optionsOf(const Weighting& weighting);
   StraightAttempt solve(const Weighting& weighting, int growth, const std::vector<FaceId>& hard);
   bool isHopeless(const std::vector<FaceId>& wrong) const;
@@ -73,7 +73,7 @@ class StraightRun {
   /// their neighbours are. Empty: those of the map as solved.
   PerFace<double> frames_;
   std::optional<StraightAttempt> best_;
-  std::vector<HalfedgeId> short_;
+  std::optional<std::vector<HalfedgeId>> short_;
   bool isStrained_ = false;  ///< some program had no point, although lengths are possible
   bool isCancelled_ = false;
 };

@@ -217,7 +217,7 @@ export const corePhrases = {
   'features-straightened':
     '{steps|step} of features would have no length, because the lines around allow none; the map goes straight on there.',
   'features-moved':
-    '{units|cone or corner was|cones and corners were} moved, because with those of the smoothest field lengths contradict each other',
+    '{units|cone or corner was|cones and corners were} moved, because no map was found with those of the smoothest field',
   'features-split':
     'THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, because a map along all features[grid:, on the lines of a grid,] has no room otherwise. The certified and written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids, new ones follow, and halves of features are features.',
   'features-split-in-vain':

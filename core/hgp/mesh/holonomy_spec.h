@@ -2,11 +2,11 @@
 // Role: q, C, k_i and l_j of [BCW17 §5.2], checked against Lemma 6.2 before anything is solved.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hgp/base/stable_order.h"
 #include "hgp/mesh/angle_shortage.h"
 
 namespace hgp {
@@ -20,8 +20,7 @@ struct ConePoint {
 };
 /// By vertex, ascending.
 inline void sortCones(std::vector<ConePoint>& cones) {
-  std::sort(cones.begin(), cones.end(),
-            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+  sortStably(cones, [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
 }
 
 /// The prescription for one connected surface. Turnings and handles that are empty are completed from the smoothest

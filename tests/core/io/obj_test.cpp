@@ -227,6 +227,18 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"badVt", kThree + "vt a\nf 1 2 3\n", ErrorCode::kMalformed, 4}),
     [](const ::testing::TestParamInfo<Hostile>& file) { return std::string(file.param.name); });
 
+TEST(Obj, SaysWhatATextHoldsThatIsNoSurface) {
+  const auto messageOf = [](const std::string& text) {
+    const Result<DocumentPtr> document = readObj(test::fileSet("a.obj", text), {});
+    return document ? std::string() : document.error().message;
+  };
+  EXPECT_NE(messageOf(kThree + "l 1 2 3\n").find("3 vertices"), std::string::npos);
+  EXPECT_NE(messageOf("hello\n").find("no v and f lines"), std::string::npos);
+  // Both byte orders of UTF-16.
+  for (const char* mark : {"\xFF\xFE", "\xFE\xFF"})
+    EXPECT_NE(messageOf(mark + std::string("v\0 \0", 4)).find("UTF-8"), std::string::npos);
+}
+
 TEST(Obj, LimitsAreKept) {
   Limits limits;
   limits.maxTriangles = 1;

@@ -6,6 +6,7 @@
 
 #include "hgp/api/json/json_text.h"
 #include "hgp/api/json/spliced_text.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/verify/needed_tolerance.h"
 
 namespace hgp::api {
@@ -108,7 +109,7 @@ class ComponentJson {
   }
 
   Json cones(std::vector<MeasuredCone> list) const {
-    std::sort(list.begin(), list.end(), [&](const MeasuredCone& a, const MeasuredCone& b) {
+    sortStably(list, [&](const MeasuredCone& a, const MeasuredCone& b) {
       return vertex(a.vertex) < vertex(b.vertex);
     });
     Json out = Json::array();

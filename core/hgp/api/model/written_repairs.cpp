@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/base/stable_order.h"
 
 namespace hgp::api {
 
@@ -37,7 +38,7 @@ FaceEdits editsOf(const Model& model) {
     if (isTurned || isChanged) edits.faces.push_back(edit);
   }
   const auto byFace = [](const EditedFace& a, const EditedFace& b) { return a.face < b.face; };
-  std::sort(edits.faces.begin(), edits.faces.end(), byFace);
+  sortStably(edits.faces, byFace);
   for (const LeftOutFace& left : model.leftOut) edits.outside.push_back(left.face);
   std::sort(edits.outside.begin(), edits.outside.end());
   return edits;

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "hgp/base/stable_order.h"
+
 namespace hgp::api {
 namespace {
 
@@ -20,7 +22,7 @@ std::vector<ConesFor> othersThan(ConesFor purpose) {
   std::vector<ConesFor> others;
   for (ConesFor other : kByNumber)
     if (other != purpose) others.push_back(other);
-  std::sort(others.begin(), others.end(), [&](ConesFor a, ConesFor b) {
+  sortStably(others, [&](ConesFor a, ConesFor b) {
     const int toA = rankOf(a) - rankOf(purpose), toB = rankOf(b) - rankOf(purpose);
     return std::abs(toA) != std::abs(toB) ? std::abs(toA) < std::abs(toB) : toA > toB;
   });

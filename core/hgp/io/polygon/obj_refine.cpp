@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/stable_order.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -110,8 +111,7 @@ class ObjRefinement {
     const std::vector<std::string> faces = dividedFaces();
     std::vector<TextSpan> dropped = places_.coneLines;
     if (places_.embedded.end > 0) dropped.push_back(places_.embedded);
-    std::sort(dropped.begin(), dropped.end(),
-              [](const TextSpan& a, const TextSpan& b) { return a.begin < b.begin; });
+    sortStably(dropped, [](const TextSpan& a, const TextSpan& b) { return a.begin < b.begin; });
     const std::size_t insertion = data_.isRelative ? text_.size() : data_.end;
     bool isInserted = false;
     std::size_t line = 0, drop = 0, position = 0;

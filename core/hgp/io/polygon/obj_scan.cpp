@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "hgp/base/check.h"
 #include "hgp/base/ids.h"
@@ -22,6 +23,8 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 }  // namespace
 
 Result<ObjText> ObjScanner::scan() {
+  if (const std::string_view mark = text_.substr(0, 2); mark == "\xFF\xFE" || mark == "\xFE\xFF")
+    return text::malformedByte(0, "the text is UTF-16; save the file as UTF-8");
   if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
     return text::malformedByte(nul, "a NUL byte: this is not an OBJ text");
   }
@@ -32,8 +35,15 @@ Result<ObjText> ObjScanner::scan() {
     return notFiniteFailure(text::lineAt(text_, static_cast<std::size_t>(used->where)),
                             used->vertex);
   if (out_.polygons.positions.empty() || out_.polygons.polygonCount() == 0) {
-    return Failure{
-        ErrorCode::kMalformed, "read", "not an OBJ mesh: there are no v and f lines", {}};
+    const std::size_t vertices = out_.polygons.positions.size();
+    return Failure{ErrorCode::kMalformed,
+                   "read",
+                   vertices == 0
+                       ? "not an OBJ mesh: there are no v and f lines"
+                       : std::to_string(vertices) +
+                             " vertices and no face of three corners; points and lines have no "
+                             "surface",
+                   {}};
   }
   if (!hasUv_) out_.cornerUv.clear();
   addNotes();

@@ -746,7 +746,8 @@ const hostile = {
   'comma.obj': ['v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /line 1/],
   'long.obj': [`v 0 0 0\nf ${'1 '.repeat(600_000)}\n`, 3, /longer than 1 MiB/],
   'null_byte.obj': ['v 0 0 0\0\n', 3, /NUL/],
-  'utf16.obj': [Buffer.from('\ufeffv 0 0 0\n', 'utf16le'), 3, /NUL/],
+  'utf16.obj': [Buffer.from('\ufeffv 0 0 0\n', 'utf16le'), 3, /UTF-16; save the file as UTF-8/],
+  'nul.obj': ['v 0 0 0\nv 1 \0 0\n', 3, /NUL/],
   'count.off': ['OFF\n2000000000 2000000000 0\n', 3, /counts/],
   'negative.off': ['OFF\n-1 -5 0\n', 3, /counts/],
   'count.ply': [

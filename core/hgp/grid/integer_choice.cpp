@@ -111,10 +111,13 @@ IntegerChoice::IntegerChoice(std::shared_ptr<const IntegerForm> form,
 Eigen::VectorXcd IntegerChoice::spread(const Eigen::VectorXcd& w0) const {
   std::vector<Demand> demands = demandsOf(separations_, w0);
   if (demands.empty()) return w0;
-  Eigen::MatrixXcd G = Eigen::MatrixXcd::Zero(w0.size(), static_cast<Eigen::Index>(demands.size()));
+  // A demand contains few unknowns, and many points are asked for: one inverse serves all of them.
+  if (!inverse_) inverse_ = form_->solve(Eigen::MatrixXcd::Identity(w0.size(), w0.size()));
+  Eigen::MatrixXcd steps =
+      Eigen::MatrixXcd::Zero(w0.size(), static_cast<Eigen::Index>(demands.size()));
   for (std::size_t n = 0; n < demands.size(); ++n)
-    for (const auto& [j, g] : demands[n].g) G(j, static_cast<Eigen::Index>(n)) = g;
-  const Eigen::MatrixXcd steps = form_->solve(G);
+    for (const auto& [j, g] : demands[n].g)
+      steps.col(static_cast<Eigen::Index>(n)) += g * inverse_->col(j);
   Eigen::VectorXcd w = w0;
   for (int sweep = 0; sweep < kSpreadSweeps; ++sweep)
     for (std::size_t n = 0; n < demands.size(); ++n) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "hgp/grid/integer_form.h"
 
@@ -15,7 +16,8 @@ struct Separation {
   IntegerForm::Terms terms, second = {};
 };
 
-/// Q(y) = (y − y₀)ᴴ S (y − y₀) over y ∈ Z[i]ᵏ, S Hermitian and positive definite.
+/// Q(y) = (y − y₀)ᴴ S (y − y₀) over y ∈ Z[i]ᵏ, S Hermitian and positive definite. For one thread at a time: near() keeps
+/// what does not depend on y₀.
 class IntegerChoice {
  public:
   IntegerChoice(std::shared_ptr<const IntegerForm> form, std::vector<Separation> separations);
@@ -39,8 +41,9 @@ class IntegerChoice {
   void descend(const Eigen::VectorXcd& w0, std::vector<Gaussian>& w) const;
 
   std::shared_ptr<const IntegerForm> form_;
-  std::vector<Separation> separations_;  ///< in the reduced basis
-  std::vector<std::vector<Use>> users_;  ///< per w: separations with it
+  std::vector<Separation> separations_;              ///< in the reduced basis
+  std::vector<std::vector<Use>> users_;              ///< per w: separations with it
+  mutable std::optional<Eigen::MatrixXcd> inverse_;  ///< S⁻¹ over w, once it is needed
 };
 
 }  // namespace hgp

@@ -86,9 +86,9 @@ LengthRows lengthRows(const StraightSystem& straight) {
 /// Gᵀ W G + hold for one set of weights after another.
 class Normal {
  public:
-  Normal(const LengthRows& G, double hold)
-      : G_(G), hold_(hold), matrix_(std::max(G.unknowns, 1), std::max(G.unknowns, 1)) {
+  Normal(const LengthRows& G, double hold) : G_(G), hold_(hold), matrix_(G.unknowns, G.unknowns) {
     std::vector<Eigen::Triplet<double>> pattern;
+    pattern.reserve(at(G.unknowns));
     for (int i = 0; i < matrix_.rows(); ++i) pattern.emplace_back(i, i, 0.0);
     for (const auto& row : G.rows)
       for (const auto& a : row)
@@ -145,7 +145,8 @@ class ShortfallFit {
 
   /// max(0, 1 − G x) at the minimum.
   Eigen::VectorXd run() {
-    for (int k = 0; k < kMaxIterations && t_.size() > 0; ++k) {
+    // Without unknowns every edge is a point, whatever the map.
+    for (int k = 0; k < kMaxIterations && x_.size() > 0; ++k) {
       const double mu = (t_ * y_).mean();
       pull_ = G_.transposedTimes(y_.matrix()) - hold_ * x_;
       gap_ = 1.0 - G_.times(x_).array() - y_ + t_;

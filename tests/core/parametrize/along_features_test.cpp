@@ -273,6 +273,25 @@ TEST(AlongFeatures, LengthsArePossibleWhereThereIsAMap) {
   }
 }
 
+TEST(AlongFeatures, WithoutUnknownsNoEdgeHasALength) {
+  const TriMesh mesh = test::cube(3).mesh();
+  const std::vector<EdgeId> features = test::creasesOf(mesh);
+  PreparedSurface surface(mesh);
+  std::vector<StageTime> times;
+  Result<StraightSetup> setup = prepareStraight(surface, features, HolonomySpec{}, {}, times);
+  ASSERT_TRUE(setup);
+  setup->distances.clear();
+  setup->unknowns.count = 0;
+  setup->unknowns.variable.clear();
+  setup->unknowns.rows = RealUnknowns::Rows(setup->unknowns.rows.rows(), 0);
+  const SeamlessSystem system = systemOf(mesh, setup->seamless);
+  const LengthFit fit = fitLengths(straightSystemOf(*setup, system));
+  EXPECT_FALSE(fit.isPossible);
+  EXPECT_EQ(fit.edges.size(), features.size());
+  EXPECT_EQ(fit.flat.size(), at(mesh.faceCount()));
+  EXPECT_EQ(fit.excess, static_cast<double>(features.size() + fit.flat.size()));
+}
+
 TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
   const TriMesh mesh = steppedCylinder(48, 8, 0.7);
   const std::vector<EdgeId> rims = test::creasesOf(mesh);

@@ -140,8 +140,8 @@ class StepSearch {
     return Done{};
   }
 
-  /// A field with other indices: one with possible lengths, where those of the first field are not; or one with a map, if
-  /// this one has possible lengths.
+  /// A field with other indices: one with possible lengths and no flat triangle, where the first field has not; or one with
+  /// a map, if this one has possible lengths.
   Status search(const StraightSetup& setup, bool arePossible, std::optional<AlignedField>& next) {
     const auto take = [&](const StraightSetup& start, IndexGoal goal) -> Status {
       IndexSearch found = searchIndices(surface_, start, goal, options_);
@@ -153,7 +153,7 @@ class StepSearch {
       first_.reset();
       return Done{};
     };
-    if ((first_ || !arePossible) && !std::exchange(isSearched_, true))
+    if (!std::exchange(isSearched_, true))
       if (Status done = take(first_ ? *first_ : setup, IndexGoal::kLengths); !done) return done;
     if (!next && arePossible && !std::exchange(isSearchedForMaps_, true))
       return take(setup, IndexGoal::kMap);

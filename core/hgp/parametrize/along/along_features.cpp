@@ -81,7 +81,6 @@ class StepSearch {
       if (!clock.begin(Stage::kSolve)) return clock.cancelled();
       StraightRun run(surface_.mesh(), setup, options_, result_.rounds);
       const std::vector<HalfedgeId>& edges = run.shortEdges();
-      contradicting_ = static_cast<int>(edges.size());
       std::optional<StraightSetup> next;
       isCutShort_ = isLast();
       if (!edges.empty() && !isCutShort_) {
@@ -96,6 +95,7 @@ class StepSearch {
       std::optional<StraightAttempt> attempt = run.run();
       if (!attempt) return clock.cancelled();
       clock.end();
+      contradicting_ = run.isContradictionShown() ? static_cast<int>(edges.size()) : 0;
       const bool isFound = attempt->certificate.isCertified;
       if (!isFound && !isLast() && edges.empty())
         if (Status done = prepareNext(setup, {}, next); !done) return std::move(done).error();

@@ -99,7 +99,7 @@ void StraightRun::untangleBest() {
   const double most = grid_ ? grid_->untanglings : kPlainUntangling;
   const bool isLast = !grid_ && static_cast<int>(rounds_.size()) >= options_.maxRounds;
   const Eigen::VectorXd& x = best_->program.x;
-  const bool hasStart = x.size() > 0 && x.allFinite() && shortEdges().empty();
+  const bool hasStart = x.size() > 0 && x.allFinite() && !isShown_;
   if (isLast || !hasStart || kLongestUntangling * static_cast<double>(mesh_.faceCount()) > most)
     return;
   const SeamlessSetup& seamless = setup_.seamless;
@@ -144,7 +144,9 @@ bool StraightRun::isOver(const Weighting& weighting, std::vector<FaceId> hard) {
       best_ = std::move(attempt);
     if (best_->certificate.isCertified) return true;
     isStrained_ = isStrained_ || isInfeasible || isHopeless(wrong);
-    if (isInfeasible && !shortEdges().empty()) return true;
+    if (isInfeasible && growth == 0 && !shortEdges().empty() && showContradiction(weighting))
+      return true;
+    if (isCancelled_) return true;
     if (isInfeasible || wrong.empty() || isHopeless(wrong)) return false;
     const std::vector<FaceId> more = growFaces(mesh_, wrong, 1);
     const std::size_t before = hard.size();
@@ -167,6 +169,15 @@ const std::vector<HalfedgeId>& StraightRun::shortEdges() {
   }
   if (!short_) short_.emplace();
   return *short_;
+}
+
+/// Lengths that are fitted contradict each other up to a tolerance; a program without frames decides.
+bool StraightRun::showContradiction(const Weighting& weighting) {
+  const StraightOptions program = optionsOf(weighting);
+  const SeamlessSystem system = systemOf(mesh_, setup_.seamless);
+  const StraightResult result = solveStraight(straightSystemOf(setup_, system), {}, program);
+  isShown_ = socp::isWithoutPoint(result.status);
+  return isShown_;
 }
 
 StraightOptions StraightRun::optionsOf(const Weighting& weighting) {

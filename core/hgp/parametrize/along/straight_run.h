@@ -48,6 +48,8 @@ class StraightRun {
   /// Edges whose lengths alone contradict each other, with frames left out; empty where they do not. No program is solved
   /// for that.
   const std::vector<HalfedgeId>& shortEdges();
+  /// After run(): a program without frames has no point either, as its duals show. Only then are the edges named to users.
+  bool isContradictionShown() const { return isShown_; }
 
  private:
   struct Weighting;
@@ -55,6 +57,7 @@ class StraightRun {
   void solvePrograms();
   bool isOver(const Weighting& weighting, std::vector<FaceId> hard);
   void untangleBest();
+  bool showContradiction(const Weighting& weighting);
   StraightOptions optionsOf(const Weighting& weighting);
   StraightAttempt solve(const Weighting& weighting, int growth, const std::vector<FaceId>& hard);
   bool isHopeless(const std::vector<FaceId>& wrong) const;
@@ -75,6 +78,7 @@ class StraightRun {
   std::optional<StraightAttempt> best_;
   std::optional<std::vector<HalfedgeId>> short_;
   bool isStrained_ = false;  ///< some program had no point, although lengths are possible
+  bool isShown_ = false;     ///< see isContradictionShown
   bool isCancelled_ = false;
 };
 

@@ -206,8 +206,11 @@ export async function download(page, click) {
 /** From now on, the names of what the page asks of its workers: names() tells them, forget() begins anew. */
 export async function workerCalls(page) {
   await page.evaluate(() => {
-    const { postMessage } = Worker.prototype;
+    // The page may be that of an earlier test, which has asked before.
+    const isCounted = globalThis.called !== undefined;
     globalThis.called = [];
+    if (isCounted) return;
+    const { postMessage } = Worker.prototype;
     Worker.prototype.postMessage = function (message, ...rest) {
       // A solver that has lost a map is told in the message how to make it again.
       const again = (message?.restore ?? []).map(({ method }) => method);

@@ -33,6 +33,7 @@ struct AlignedField {
   GivenIndices given;
   std::vector<ConePoint> corners;  ///< that are prescribed
   int moved = 0;                   ///< units of index that were moved to make all of them possible
+  bool isFitted = true;            ///< false after moveUnit(), until fitField()
 };
 
 /// The largest index that the triangles of a node can hold: two quarter turns for each, one where the triangle has a right

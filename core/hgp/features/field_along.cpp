@@ -94,13 +94,6 @@ void readIndices(const TriMesh& mesh, const Geometry& geometry, AlignedField& ou
 
 }  // namespace
 
-std::optional<AlignedField> withoutFlatPairs(const TriMesh& mesh, const Geometry& geometry,
-                                             AlignedField field) {
-  if (cancelFlatPairs(mesh, geometry, field) == 0) return {};
-  fitField(mesh, geometry, field);
-  return field;
-}
-
 Result<AlignedField> alignedField(const TriMesh& mesh, const FieldContext& context,
                                   const std::vector<EdgeId>& features, const HolonomySpec& asked) {
   const Geometry& geometry = context.geometry;

@@ -1,8 +1,6 @@
 // Computes a cross field along features.  Role: the first step of a map along features; chooses its cones and corners.
 #pragma once
 
-#include <optional>
-
 #include "hgp/features/aligned_field.h"
 
 namespace hgp {
@@ -17,9 +15,5 @@ namespace hgp {
 Result<AlignedField> alignedField(const TriMesh& mesh, const FieldContext& context,
                                   const std::vector<EdgeId>& features,
                                   const HolonomySpec& asked = {});
-
-/// The same field without pairs of cones that no curvature explains (cancelFlatPairs); nothing where it has none.
-std::optional<AlignedField> withoutFlatPairs(const TriMesh& mesh, const Geometry& geometry,
-                                             AlignedField field);
 
 }  // namespace hgp

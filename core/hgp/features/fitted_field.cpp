@@ -77,6 +77,7 @@ void fitField(const TriMesh& mesh, const Geometry& geometry, AlignedField& field
     if (!mesh.isBoundary(h)) field.turn[h] += x(TriMesh::face(mesh.twin(h)).i, 0) - own;
   }
   for (FaceId f : mesh.faces()) field.field.angle[f] += x(f.i, 0);
+  field.isFitted = true;
 }
 
 }  // namespace hgp

@@ -145,6 +145,7 @@ class IndexFlow {
 
 void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field) {
   const HalfedgeId twin = mesh.twin(h);
+  field.isFitted = false;
   field.index[at(field.sectors.node(mesh, h))] -= units;
   field.index[at(field.sectors.node(mesh, TriMesh::next(h)))] += units;
   if (field.sectors.isFeature[mesh.edge(h)]) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "hgp/base/stable_order.h"
-#include "hgp/features/fitted_field.h"
 #include "hgp/features/index_flow.h"
 
 namespace hgp {
@@ -65,10 +64,8 @@ std::vector<FeatureStep> findSteps(const TriMesh& mesh, const Geometry& geometry
   return steps;
 }
 
-AlignedField withoutStep(const TriMesh& mesh, const Geometry& geometry, AlignedField field,
-                         const FeatureStep& step) {
+AlignedField withoutStep(const TriMesh& mesh, AlignedField field, const FeatureStep& step) {
   for (HalfedgeId h : step.run) moveUnit(mesh, h, step.units, field);
-  fitField(mesh, geometry, field);
   return field;
 }
 

@@ -23,9 +23,7 @@ std::vector<FeatureStep> findSteps(const TriMesh& mesh, const Geometry& geometry
                                    const AlignedField& field, const std::vector<HalfedgeId>& edges);
 
 /// The field without this step: one unit of index moves along the run from one corner to the other, so that the line goes
-/// straight on, and the field is fitted to the new integers. The vertices at both ends become cones (3 and 5 quarter turns)
-/// where they were none.
-AlignedField withoutStep(const TriMesh& mesh, const Geometry& geometry, AlignedField field,
-                         const FeatureStep& step);
+/// straight on. The vertices at both ends become cones (3 and 5 quarter turns) where they were none.
+AlignedField withoutStep(const TriMesh& mesh, AlignedField field, const FeatureStep& step);
 
 }  // namespace hgp

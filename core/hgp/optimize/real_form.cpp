@@ -3,93 +3,75 @@
 #include <algorithm>
 
 namespace hgp {
+
 namespace {
 
-/// Relative lifts of the diagonal that are tried in turn where a pivot is not positive.
-constexpr double kLifts[] = {0.0, 1e-13, 1e-11, 1e-9};
+/// The unknown of a column of a constraint's F.
+int unknownOf(const socp::ConeConstraint& constraint, Eigen::Index column) {
+  return 2 * constraint.unknowns[at(column / 2)] + static_cast<int>(column % 2);
+}
+
+bool isUsed(const socp::ConeConstraint& constraint, Eigen::Index column) {
+  return !constraint.F.col(column).isZero(0.0);
+}
+
+linalg::Cliques cliquesOf(const std::vector<socp::ConeConstraint>& constraints) {
+  linalg::Cliques cliques(constraints.size());
+  for (std::size_t b = 0; b < constraints.size(); ++b)
+    for (Eigen::Index c = 0; c < constraints[b].F.cols(); ++c)
+      if (isUsed(constraints[b], c)) cliques[b].push_back(unknownOf(constraints[b], c));
+  return cliques;
+}
+
+/// Calls use(row, column of the block) for the entries of a block that may be other than 0.
+template <class Use>
+void forEachEntry(const socp::ConeConstraint& constraint, const Use& use) {
+  for (Eigen::Index c = 0; c < constraint.F.cols(); ++c)
+    for (Eigen::Index r = 0; r < constraint.F.cols(); ++r)
+      if (isUsed(constraint, c) && isUsed(constraint, r)) use(r, c);
+}
 
 }  // namespace
 
 RealForm::RealForm(const Eigen::SparseMatrix<double>& H, const linalg::SeparatorTree& tree,
-                   std::vector<std::vector<int>> pairs, const std::vector<std::vector<char>>& used)
-    : H_(H) {
-  layOut(std::move(pairs), used);
-  factor_.analyze(linalg::graphOf(K_), tree);
+                   const std::vector<socp::ConeConstraint>& constraints)
+    : H_(H), blocks_(H.rows(), H.cols()) {
+  layOut(constraints);
+  factor_.build(H_, linalg::graphOf(Sparse(H_ + blocks_)), tree, cliquesOf(constraints));
 }
 
-/// K_ gets the pattern of H_ and of all blocks; terms_ say where their numbers go.
-void RealForm::layOut(std::vector<std::vector<int>> pairs,
-                      const std::vector<std::vector<char>>& used) {
-  struct Entry {
-    int row, column;
-    std::size_t source;
-  };
-  std::vector<Entry> entries;
+/// blocks_ gets the pattern of all blocks together; terms_ say where their numbers go.
+void RealForm::layOut(const std::vector<socp::ConeConstraint>& constraints) {
   std::vector<Eigen::Triplet<double>> pattern;
-  pattern.reserve(static_cast<std::size_t>(H_.nonZeros()));
-  for (Eigen::Index j = 0; j < H_.cols(); ++j) {
-    // The diagonal is lifted where a factor needs that, also of an unknown that is in no row of H.
-    pattern.emplace_back(static_cast<int>(j), static_cast<int>(j), 0.0);
-    for (Eigen::SparseMatrix<double>::InnerIterator it(H_, j); it; ++it)
-      pattern.emplace_back(static_cast<int>(it.row()), static_cast<int>(j), 0.0);
-  }
-  for (std::size_t b = 0; b < pairs.size(); ++b) {
-    const std::size_t size = 2 * pairs[b].size();
-    const auto unknown = [&](std::size_t c) {
-      return 2 * pairs[b][c / 2] + static_cast<int>(c % 2);
-    };
-    for (std::size_t c = 0; c < size; ++c)
-      for (std::size_t r = 0; r < size; ++r) {
-        if (!used[b][c] || !used[b][r]) continue;
-        entries.push_back({unknown(r), unknown(c), offset_.back() + c * size + r});
-        pattern.emplace_back(unknown(r), unknown(c), 0.0);
-      }
-    offset_.push_back(offset_.back() + size * size);
-  }
-  K_ = Eigen::SparseMatrix<double>(H_.rows(), H_.cols());
-  K_.setFromTriplets(pattern.begin(), pattern.end());
-  K_.makeCompressed();
-  for (const Entry& e : entries) {
-    const int* begin = K_.innerIndexPtr() + K_.outerIndexPtr()[e.column];
-    const int* end = K_.innerIndexPtr() + K_.outerIndexPtr()[e.column + 1];
-    const int* found = std::lower_bound(begin, end, e.row);
-    terms_.push_back({static_cast<std::size_t>(found - K_.innerIndexPtr()), e.source});
+  for (const socp::ConeConstraint& constraint : constraints)
+    forEachEntry(constraint, [&](Eigen::Index r, Eigen::Index c) {
+      pattern.emplace_back(unknownOf(constraint, r), unknownOf(constraint, c), 0.0);
+    });
+  blocks_.setFromTriplets(pattern.begin(), pattern.end());
+  const auto place = [&](int row, int column) {
+    const int* begin = blocks_.innerIndexPtr() + blocks_.outerIndexPtr()[column];
+    const int* end = blocks_.innerIndexPtr() + blocks_.outerIndexPtr()[column + 1];
+    return at(std::lower_bound(begin, end, row) - blocks_.innerIndexPtr());
+  };
+  terms_.reserve(pattern.size());
+  for (const socp::ConeConstraint& constraint : constraints) {
+    const Eigen::Index size = constraint.F.cols();
+    forEachEntry(constraint, [&](Eigen::Index r, Eigen::Index c) {
+      terms_.push_back({place(unknownOf(constraint, r), unknownOf(constraint, c)),
+                        offset_.back() + at(c * size + r)});
+    });
+    offset_.push_back(offset_.back() + at(size * size));
   }
 }
 
-Eigen::VectorXd RealForm::apply(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
-  out.head(H_.rows()) = H_ * x.head(H_.rows());
-  return out;
+double RealForm::multiplyAdds(int factorizations) const {
+  return factor_.staticCost().multiplyAdds + factorizations * factor_.reducedCost().multiplyAdds;
 }
 
 linalg::FactorStatus RealForm::factor(const double* values) {
-  double* numbers = K_.valuePtr();
-  std::fill(numbers, numbers + K_.nonZeros(), 0.0);
-  for (Eigen::Index j = 0; j < H_.cols(); ++j) {
-    // The pattern of H is a part of that of K; both ascend.
-    Eigen::SparseMatrix<double>::InnerIterator it(K_, j);
-    for (Eigen::SparseMatrix<double>::InnerIterator own(H_, j); own; ++own) {
-      while (it.row() != own.row()) ++it;
-      it.valueRef() = own.value();
-    }
-  }
-  for (const Term& term : terms_) numbers[term.target] += values[term.source];
-  const Eigen::VectorXd diagonal = K_.diagonal();
-  linalg::FactorStatus status;
-  for (const double lift : kLifts) {
-    if (lift > 0.0) K_.diagonal() = (1.0 + lift) * diagonal;
-    status = factor_.factor(K_);
-    status.lift = lift;
-    if (status) break;
-  }
-  return status;
-}
-
-Eigen::VectorXd RealForm::solve(const Eigen::VectorXd& rhs) const {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(rhs.size());
-  out.head(H_.rows()) = factor_.solve(Eigen::MatrixXd(rhs.head(H_.rows()))).col(0);
-  return out;
+  std::fill(blocks_.valuePtr(), blocks_.valuePtr() + blocks_.nonZeros(), 0.0);
+  for (const Term& term : terms_) blocks_.valuePtr()[term.target] += values[term.source];
+  return factor_.factor(H_ + blocks_);
 }
 
 }  // namespace hgp

@@ -6,7 +6,7 @@
 
 #include "hgp/base/portable_math.h"
 #include "hgp/base/stable_order.h"
-#include "hgp/optimize/real_form.h"
+#include "hgp/optimize/real_program.h"
 #include "hgp/optimize/real_row.h"
 #include "hgp/system/face_rows.h"
 #include "hgp/system/square_rows.h"
@@ -37,30 +37,29 @@ class StraightProgram {
       if (options.given.empty() && origin_[at(part)] >= 0) index_[at(origin_[at(part)])] = -1;
     }
     for (int& p : index_) p = p < 0 ? -1 : count_++;
-    padded_ = count_ + count_ % 2;
-    squares_ = SquareRows<double>(count_);
   }
 
   StraightResult run() {
+    const bool isOdd = count_ % 2 != 0;
+    squares_ = SquareRows<double>(count_ + isOdd);
+    if (isOdd) {  // the constraints need pairs: one more unknown, which is 0
+      squares_.add(count_, 1.0);
+      squares_.endRow();
+    }
     RealRow row(in_.unknowns, index_, given_);
     addHarmonic(row);
     addDistortion(row);
     addEdges(row);
     addFrames(row);
-    const Eigen::SparseMatrix<double> H = squares_.takeForm();
-    const linalg::SeparatorTree tree = orderUnknowns(H);
-    RealForm form(H, tree, std::move(pairs_), used_);
-    problem_.form = &form;
-    problem_.c = Eigen::VectorXd::Zero(padded_);
-    problem_.c.head(count_) = squares_.linear;
-    socp::SolveOptions solveOptions;
-    solveOptions.progress = o_.progress;
-    const socp::Solution solution = socp::solve(problem_, solveOptions);
+    program_.H = squares_.takeForm();
+    program_.c = squares_.linear;
+    const RealSolution found = solveReal(program_, orderUnknowns(), o_.progress);
+    const socp::Solution& solution = found.solution;
 
     StraightResult result;
     result.status = solution.status;
     result.iterations = solution.iterations;
-    result.multiplyAdds = form.multiplyAdds() * (solution.iterations + 2);
+    result.multiplyAdds = found.multiplyAdds;
     result.x = Eigen::VectorXd::Zero(in_.unknowns.count);
     for (int i = 0; i < in_.unknowns.count; ++i)
       result.x[i] = index_[at(i)] >= 0 ? solution.x[index_[at(i)]] : given_[at(i)];
@@ -86,7 +85,7 @@ class StraightProgram {
       }
     const Eigen::SparseMatrix<double> H = squares_.takeForm();
     linalg::MultifrontalCholesky<double> factor;
-    factor.analyze(linalg::graphOf(H), orderUnknowns(H));
+    factor.analyze(linalg::graphOf(H), orderUnknowns());
     if (!factor.factor(H)) return {};
     const auto n = static_cast<Eigen::Index>(variables.size());
     Eigen::MatrixXd out(n, n);
@@ -217,16 +216,12 @@ class StraightProgram {
     socp::ConeConstraint constraint;
     constraint.F.setZero(3, static_cast<Eigen::Index>(2 * pairs.size()));
     constraint.h = h - given;
-    std::vector<char> used(2 * pairs.size(), 0);
     for (const Entry& e : entries) {
       const auto pair = std::lower_bound(pairs.begin(), pairs.end(), e.index / 2) - pairs.begin();
       constraint.F(e.row, 2 * pair + e.index % 2) = e.value;
-      used[at(2 * pair + e.index % 2)] = 1;
     }
-    constraint.unknowns = pairs;
-    problem_.constraints.push_back(std::move(constraint));
-    pairs_.push_back(std::move(pairs));
-    used_.push_back(std::move(used));
+    constraint.unknowns = std::move(pairs);
+    program_.constraints.push_back(std::move(constraint));
     return true;
   }
 
@@ -268,8 +263,14 @@ class StraightProgram {
     }
   }
 
-  linalg::SeparatorTree orderUnknowns(const Eigen::SparseMatrix<double>& H) const {
-    return linalg::nestedDissection(linalg::graphOf(H));
+  /// With the unknown that completes a pair.
+  linalg::SeparatorTree orderUnknowns() const {
+    linalg::SeparatorTree tree = in_.tree.get(s_, in_.unknowns, in_.hasRow, index_);
+    if (squares_.linear.size() > count_) {
+      tree.order.push_back(count_);
+      ++tree.nodeStart.back();
+    }
+    return tree;
   }
 
   void findConflict(const socp::Solution& solution, StraightResult& result) const {
@@ -296,11 +297,9 @@ class StraightProgram {
   VertexId smallest_;              ///< where the map is smallest
   std::vector<HalfedgeId> edges_;  ///< of the first constraints, sides of distances included
   std::vector<FaceId> faces_;      ///< of those after them
-  int count_ = 0, padded_ = 0;
+  int count_ = 0;                  ///< of unknowns that are not given
   SquareRows<double> squares_{0};
-  socp::Problem problem_;
-  std::vector<std::vector<int>> pairs_;
-  std::vector<std::vector<char>> used_;
+  RealProgram program_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "hgp/features/real_unknowns.h"
 #include "hgp/features/sum_relations.h"
 #include "hgp/optimize/program.h"
+#include "hgp/optimize/real_tree.h"
 
 namespace hgp {
 
@@ -28,6 +29,7 @@ struct StraightSystem {
   const std::vector<StraightEdge>& edges;  ///< one side of every feature edge
   const std::vector<SideDistance>& distances;  ///< of cones that are alone in their patches
   const PerVertex<char>& hasRow;  ///< harmonic: inner vertices off features that are no cones
+  RealTree& tree;
 };
 
 struct StraightOptions {

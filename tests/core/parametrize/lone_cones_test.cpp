@@ -237,7 +237,7 @@ TEST(LoneCones, ACornerOfACubeCannotMoveIntoAFace) {
   EXPECT_FALSE(fit.edges.empty());
   // The sides are a + c, a + b and b + c long, and each of the first two lengths adds up to the third: b = 0.
   const std::vector<SideDistance> none;
-  const StraightSystem free{system, setup.unknowns, setup.edges, none, setup.hasRow};
+  const StraightSystem free{system, setup.unknowns, setup.edges, none, setup.hasRow, *setup.tree};
   EXPECT_TRUE(fitLengths(free).isPossible);
   spec.features = features;
   const Result<Parametrization> run = parametrizeAlongFeatures(surface, spec, {});

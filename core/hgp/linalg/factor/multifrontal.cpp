@@ -2,30 +2,9 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
+#include "hgp/linalg/factor/matrix_source.h"
 
 namespace hgp::linalg {
-namespace {
-
-// Scatters the stored columns of A, read through the elimination order.
-template <class Scalar>
-FrontSource<Scalar> matrixSource(const Eigen::SparseMatrix<Scalar>& A, const SymbolicFactor& f,
-                                 double shift) {
-  FrontSource<Scalar> source;
-  source.addToPanel = [&A, &f, shift](int t, const int* local, Scalar* panel, int rows) {
-    for (int k = f.nodeStart[t]; k < f.nodeStart[t + 1]; ++k) {
-      Scalar* column = panel + static_cast<std::size_t>(k - f.nodeStart[t]) * rows;
-      for (typename Eigen::SparseMatrix<Scalar>::InnerIterator it(A, f.order[k]); it; ++it) {
-        const int p = f.position[it.row()];
-        if (p >= k) column[local[p]] += it.value();
-      }
-      column[local[k]] += shift;
-    }
-  };
-  return source;
-}
-
-}  // namespace
-
 template <class Scalar>
 void MultifrontalCholesky<Scalar>::analyze(const Graph& pattern, const SeparatorTree& tree) {
   symbolic_ = std::make_shared<const SymbolicFactor>(linalg::analyze(pattern, tree.order));
@@ -42,8 +21,7 @@ FactorStatus MultifrontalCholesky<Scalar>::factor(const Sparse& A, double shift)
     const int v = symbolic_->order[k];
     diagonal[k] = portable::abs(A.coeff(v, v)) + portable::abs(shift);
   }
-  FactorStatus status =
-      panels_.eliminate(matrixSource<Scalar>(A, *symbolic_, shift), diagonal, nullptr);
+  FactorStatus status = panels_.eliminate(matrixSource(A, *symbolic_, shift), diagonal, nullptr);
   if (!status) status.badPivot = symbolic_->order[status.badPivot];
   return status;
 }

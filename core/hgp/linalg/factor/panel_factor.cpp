@@ -68,12 +68,13 @@ void PanelFactor<Scalar>::layOut(std::shared_ptr<const SymbolicFactor> symbolic,
   class_ = nodeClass;
   const int count = symbolic_->nodeCount();
   children_.assign(static_cast<std::size_t>(count), {});
+  others_ = children_;
   start_.assign(static_cast<std::size_t>(count) + 1, 0);
   for (int t = 0; t < count; ++t) {
     const std::size_t s = symbolic_->pivots(t), r = symbolic_->rowCount(t);
     start_[t + 1] = start_[t] + (includes(t) ? s * (s + r) : 0);
     const int p = symbolic_->parent[t];
-    if (p >= 0 && includes(t) && includes(p)) children_[p].push_back(t);
+    if (p >= 0 && includes(p)) (includes(t) ? children_ : others_)[p].push_back(t);
   }
   panels_.reset();
   ready_ = false;
@@ -121,7 +122,14 @@ int PanelFactor<Scalar>::eliminateNode(int t, const FrontSource<Scalar>& source,
   for (int i = 0; i < r; ++i) local[f.rowsOf(t)[i]] = s + i;
   std::fill(P, P + static_cast<std::size_t>(s) * (s + r), Scalar(0));
   source.addToPanel(t, local.data(), P, s + r);
-  for (const int c : children_[t]) extendAdd(c, held[c], local.data(), s, P, s + r, nullptr, r);
+  const auto addBelow = [&](Scalar* panelTo, Scalar* complementTo) {
+    for (const int c : children_[t])
+      extendAdd(c, held[c], local.data(), s, panelTo, s + r, complementTo, r);
+    if (source.below == nullptr) return;
+    for (const int c : others_[t])
+      extendAdd(c, (*source.below)[c], local.data(), s, panelTo, s + r, complementTo, r);
+  };
+  addBelow(P, nullptr);
   const int bad = factorPanel(P, s + r, s, threshold.data(), work.data());
   if (bad >= 0) return bad;
   if (r > 0) {
@@ -129,10 +137,8 @@ int PanelFactor<Scalar>::eliminateNode(int t, const FrontSource<Scalar>& source,
     startComplement(P, s, r, held[t].values(), work.data());
     if (source.addToComplement) source.addToComplement(t, local.data(), P, held[t].values());
   }
-  for (const int c : children_[t]) {
-    extendAdd(c, held[c], local.data(), s, nullptr, s + r, held[t].values(), r);
-    held[c] = {};
-  }
+  addBelow(nullptr, held[t].values());
+  for (const int c : children_[t]) held[c] = {};
   return -1;
 }
 

@@ -27,6 +27,8 @@ struct FrontSource {
   std::function<void(int t, const int* local, Scalar* panel, int rows)> addToPanel;
   /// Adds entries below and right of the pivots to the r × r complement; may be empty.
   std::function<void(int t, const int* local, Scalar* panel, Scalar* complement)> addToComplement;
+  /// By node, the complements of children of another class, which stay; null if there are none.
+  const std::vector<Contribution<Scalar>>* below = nullptr;
 };
 
 /// The panels [L11; L21] of the nodes of one class.
@@ -65,7 +67,7 @@ class PanelFactor {
   std::shared_ptr<const SymbolicFactor> symbolic_;
   int class_ = -1;
   std::vector<std::size_t> start_;
-  std::vector<std::vector<int>> children_;
+  std::vector<std::vector<int>> children_, others_;  ///< of the class, and of another
   std::unique_ptr<double[]> panels_;
   bool ready_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
+#include "hgp/linalg/factor/matrix_source.h"
 #include "hgp/linalg/factor/reduced_system.h"
 #include "hgp/linalg/ordering/delay.h"
 
@@ -10,20 +11,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
-
-FrontSource<Complex> staticSource(const ComplexSparse& H, const SymbolicFactor& f) {
-  FrontSource<Complex> source;
-  source.addToPanel = [&H, &f](int t, const int* local, Complex* panel, int rows) {
-    for (int k = f.nodeStart[t]; k < f.nodeStart[t + 1]; ++k) {
-      Complex* column = panel + static_cast<std::size_t>(k - f.nodeStart[t]) * rows;
-      for (ComplexSparse::InnerIterator it(H, f.order[k]); it; ++it) {
-        const int p = f.position[it.row()];
-        if (p >= k) column[local[p]] += it.value();
-      }
-    }
-  };
-  return source;
-}
 
 }  // namespace
 
@@ -63,7 +50,7 @@ FactorStatus PartialCholesky::build(const ComplexSparse& H, const Cliques& cliqu
   for (int k = 0; k < f.size(); ++k) diagonal[k] = portable::abs(H.coeff(f.order[k], f.order[k]));
   state_->statics.layOut(state_->symbolic, 0);
   std::vector<Contribution<Complex>> complements;
-  FactorStatus status = state_->statics.eliminate(staticSource(H, f), diagonal, &complements);
+  FactorStatus status = state_->statics.eliminate(matrixSource(H, f), diagonal, &complements);
   if (!status) {
     status.badPivot = f.order[status.badPivot];
     return status;

@@ -1,9 +1,9 @@
 #include "hgp/linalg/factor/reduced_system.h"
 
 #include <algorithm>
-#include <array>
 
 #include "hgp/base/check.h"
+#include "hgp/linalg/factor/diagonal_lifts.h"
 
 namespace hgp::linalg {
 namespace {
@@ -11,8 +11,6 @@ namespace {
 /// One block takes the place of several while its square of entries is at most this times theirs: it is passed over
 /// once instead of once for each, which pays for half as many zeros.
 constexpr double kMergedShare = 1.5;
-/// Lifts of the diagonal, relative, tried in turn where H̃ is not positive definite to rounding.
-constexpr std::array<double, 4> kLifts{0.0, 1e-13, 1e-11, 1e-9};
 
 }  // namespace
 
@@ -254,8 +252,7 @@ void ReducedSystem::addPieces(int t, const int* local, double* panel, double* co
 FactorStatus ReducedSystem::factor(const double* values) {
   diagonal_ = matrixDiagonal_;
   for (const auto& [position, source] : blockDiagonal_) diagonal_[position] += values[source];
-  FactorStatus status;
-  for (const double lift : kLifts) {
+  return withLifts([&](double lift) {
     FrontSource<double> source;
     source.addToPanel = [&](int t, const int* local, double* panel, int rows) {
       fillPanel(t, local, panel, rows, values, lift);
@@ -263,12 +260,10 @@ FactorStatus ReducedSystem::factor(const double* values) {
     source.addToComplement = [&](int t, const int* local, double* panel, double* complement) {
       addPieces(t, local, panel, complement);
     };
-    status = panels_.eliminate(source, diagonal_, nullptr);
-    status.lift = lift;
-    if (status) return status;
-  }
-  status.badPivot /= 2;
-  return status;
+    FactorStatus status = panels_.eliminate(source, diagonal_, nullptr);
+    if (!status) status.badPivot /= 2;
+    return status;
+  });
 }
 
 // A Ref is a view: taken by value so that blocks of a matrix can be passed.

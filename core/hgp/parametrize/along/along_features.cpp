@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/features/field_along.h"
+#include "hgp/features/index_flow.h"
 #include "hgp/features/step_repair.h"
 #include "hgp/parametrize/after/real_pairs.h"
 #include "hgp/parametrize/after/solution.h"
@@ -92,6 +93,7 @@ class StepSearch {
         }
         if (!clock.begin(Stage::kSolve)) return clock.cancelled();
       }
+      completeStraight(surface_.mesh(), setup);
       std::optional<StraightAttempt> attempt = run.run();
       if (!attempt) return clock.cancelled();
       clock.end();
@@ -134,8 +136,8 @@ class StepSearch {
       return done;
     }
     if (!field) return Done{};
-    Result<StraightSetup> prepared = prepareStraight(surface_, setup.seamless.field.spec.features,
-                                                     std::move(*field), options_, result_.times);
+    Result<StraightSetup> prepared = prepareLengths(surface_, setup.seamless.field.spec.features,
+                                                    std::move(*field), options_, result_.times);
     if (prepared) next = std::move(*prepared);
     return Done{};
   }
@@ -182,7 +184,7 @@ class StepSearch {
       const auto isTried = [&](const std::vector<HalfedgeId>& run) { return run == step.run; };
       if (std::any_of(tried_.begin(), tried_.end(), isTried)) continue;
       tried_.push_back(step.run);
-      AlignedField next = withoutStep(mesh, geometry, *before_, step);
+      AlignedField next = withoutStep(mesh, *before_, step);
       if (hasGivenIndices(mesh, next)) return next;
     }
     return {};
@@ -215,21 +217,21 @@ bool isSettled(const Result<StraightOutcome>& outcome) {
 /// the pairs come first. Runs with few rounds have none to spare for that.
 Result<StraightOutcome> solveFields(PreparedSurface& surface, const ParametrizeOptions& options,
                                     StraightSetup setup, Parametrization& result) {
+  const TriMesh& mesh = surface.mesh();
+  const Geometry& geometry = surface.context().geometry;
   const auto finish = [](const StepSearch& search, Result<StraightOutcome>& outcome) {
     if (outcome) search.note();
     return std::move(outcome);
   };
-  std::optional<AlignedField> fewer;
-  if (options.maxRounds > 2 * kHurriedRounds)
-    fewer = withoutFlatPairs(surface.mesh(), surface.context().geometry, setup.aligned);
-  if (fewer) {
+  AlignedField fewer = setup.aligned;
+  if (options.maxRounds > 2 * kHurriedRounds && cancelFlatPairs(mesh, geometry, fewer) > 0) {
     const ParametrizeOptions few = hurried(options, result);
     StepSearch search(surface, few, result);
     Result<StraightOutcome> outcome = search.run(setup);
     // Lengths that contradict each other are those of corners, which stay without the pairs.
     if (isSettled(outcome) || search.isContradicting()) return finish(search, outcome);
-    Result<StraightSetup> other = prepareStraight(surface, setup.seamless.field.spec.features,
-                                                  std::move(*fewer), options, result.times);
+    Result<StraightSetup> other = prepareLengths(surface, setup.seamless.field.spec.features,
+                                                 std::move(fewer), options, result.times);
     if (other) {
       const ParametrizeOptions fewMore = hurried(options, result);
       StepSearch without(surface, fewMore, result);
@@ -291,7 +293,7 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
   const TriMesh& mesh = surface.mesh();
   Parametrization result;
   Result<StraightSetup> setup =
-      prepareStraight(surface, withRims(mesh, spec.features), spec, options, result.times);
+      prepareLengths(surface, withRims(mesh, spec.features), spec, options, result.times);
   if (!setup) return std::move(setup).error();
   Result<StraightOutcome> outcome = solveFields(surface, options, std::move(*setup), result);
   if (!outcome) return std::move(outcome).error();

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "hgp/base/stable_order.h"
-#include "hgp/features/fitted_field.h"
 #include "hgp/features/index_flow.h"
 #include "hgp/features/step_repair.h"
 #include "hgp/mesh/face_rings.h"
@@ -50,7 +49,8 @@ class Search {
     const double trials = kTrials / std::max(1, surface.mesh().faceCount());
     const int most = goal == IndexGoal::kMap ? kMaxMaps : kMaxTrials;
     left_ = std::clamp(static_cast<int>(trials), kFewestTrials, most);
-    score_ = scoreOf(setup);
+    StraightSetup start = setup;
+    score_ = scoreOf(start);
   }
 
   IndexSearch run() {
@@ -61,14 +61,13 @@ class Search {
     while (out.moves < kMaxMoves && !score_.isReached && step()) ++out.moves;
     out.isCancelled = isCancelled_;
     if (!score_.isReached || isCancelled_) return out;
-    if (goal_ == IndexGoal::kLengths)
-      fitField(surface_.mesh(), surface_.context().geometry, field_);
     out.field = std::move(field_);
     return out;
   }
 
  private:
-  Score scoreOf(const StraightSetup& setup) const {
+  /// Of a setup that is completed if its map is asked for.
+  Score scoreOf(StraightSetup& setup) const {
     Score score;
     const SeamlessSystem system = systemOf(surface_.mesh(), setup.seamless);
     score.fit = fitLengths(straightSystemOf(setup, system));
@@ -78,6 +77,7 @@ class Search {
     score.isReached = false;
     score.excess += kImpossibleLengths;
     if (!score.fit.isPossible) return score;
+    completeStraight(surface_.mesh(), setup);
     std::vector<Round> rounds;
     StraightAttempt attempt =
         StraightRun(surface_.mesh(), setup, options_, rounds).solveWithoutFrames();
@@ -142,13 +142,12 @@ class Search {
       }
       AlignedField next = field_;
       applyMove(surface_.mesh(), move, next);
-      if (goal_ == IndexGoal::kMap) fitField(surface_.mesh(), surface_.context().geometry, next);
       std::vector<StageTime> times;
-      const Result<StraightSetup> setup = prepareStraight(surface_, features_, next, {}, times);
+      Result<StraightSetup> setup = prepareLengths(surface_, features_, next, {}, times);
       if (!setup) continue;
       Score score = scoreOf(*setup);
       if (!score.isReached && score.excess >= bestScore.excess) continue;
-      best = std::move(next);
+      best = std::move(setup->aligned);
       bestScore = std::move(score);
       if (bestScore.isReached) break;
     }

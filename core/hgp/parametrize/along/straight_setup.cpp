@@ -6,6 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/features/cone_scale.h"
 #include "hgp/features/field_along.h"
+#include "hgp/features/fitted_field.h"
 #include "hgp/optimize/lone_cones.h"
 #include "hgp/parametrize/stage_clock.h"
 
@@ -68,20 +69,9 @@ Status equate(const TriMesh& mesh, StraightSetup& setup) {
 
 }  // namespace
 
-Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vector<EdgeId>& features,
-                                      const HolonomySpec& asked, const ParametrizeOptions& options,
-                                      std::vector<StageTime>& times) {
-  StageClock clock(options.progress, times);
-  if (!clock.begin(Stage::kField)) return clock.cancelled();
-  Result<AlignedField> aligned = alignedField(surface.mesh(), surface.context(), features, asked);
-  if (!aligned) return std::move(aligned).error();
-  clock.end();
-  return prepareStraight(surface, features, std::move(*aligned), options, times);
-}
-
-Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vector<EdgeId>& features,
-                                      AlignedField aligned, const ParametrizeOptions& options,
-                                      std::vector<StageTime>& times) {
+Result<StraightSetup> prepareLengths(PreparedSurface& surface, const std::vector<EdgeId>& features,
+                                     AlignedField aligned, const ParametrizeOptions& options,
+                                     std::vector<StageTime>& times) {
   const TriMesh& mesh = surface.mesh();
   StageClock clock(options.progress, times);
   StraightSetup setup;
@@ -92,9 +82,6 @@ Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vecto
   PrescribedField& field = seamless.field;
   field.spec = specOf(mesh, context.topology, handleGenerators(mesh), setup.aligned, features);
   field.field = setup.aligned.field;
-  field.u = coneScale(mesh, context, setup.aligned);
-  const auto [low, high] = std::minmax_element(field.u.begin(), field.u.end());
-  field.scaleRange = *high - *low;
   for (const ConePoint& cone : field.spec.cones) seamless.cones.push_back(cone.vertex);
   Result<BudgetReport> budget =
       checkPrescription(mesh, context.topology, toSpec(field.spec), &surface.shortages());
@@ -120,6 +107,39 @@ Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vecto
   setup.distances =
       distancesOfLoneCones(systemOf(mesh, seamless), setup.unknowns, setup.edges, setup.aligned);
   clock.end();
+  return setup;
+}
+
+void completeStraight(const TriMesh& mesh, StraightSetup& setup) {
+  PrescribedField& field = setup.seamless.field;
+  if (!setup.aligned.isFitted) {
+    // The turns of the field stay, and with them the rotations of seams and the headings of features.
+    fitField(mesh, setup.seamless.context->geometry, setup.aligned);
+    field.field = setup.aligned.field;
+    setup.seamless.seams = seamRotations(mesh, setup.seamless.cut, field.field);
+  }
+  if (field.u.size() > 0) return;
+  field.u = coneScale(mesh, *setup.seamless.context, setup.aligned);
+  const auto [low, high] = std::minmax_element(field.u.begin(), field.u.end());
+  field.scaleRange = *high - *low;
+}
+
+Result<StraightSetup> prepareLengths(PreparedSurface& surface, const std::vector<EdgeId>& features,
+                                     const HolonomySpec& asked, const ParametrizeOptions& options,
+                                     std::vector<StageTime>& times) {
+  StageClock clock(options.progress, times);
+  if (!clock.begin(Stage::kField)) return clock.cancelled();
+  Result<AlignedField> aligned = alignedField(surface.mesh(), surface.context(), features, asked);
+  if (!aligned) return std::move(aligned).error();
+  clock.end();
+  return prepareLengths(surface, features, std::move(*aligned), options, times);
+}
+
+Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vector<EdgeId>& features,
+                                      const HolonomySpec& asked, const ParametrizeOptions& options,
+                                      std::vector<StageTime>& times) {
+  Result<StraightSetup> setup = prepareLengths(surface, features, asked, options, times);
+  if (setup) completeStraight(surface.mesh(), *setup);
   return setup;
 }
 

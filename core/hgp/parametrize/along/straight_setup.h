@@ -11,6 +11,7 @@ struct StraightSetup {
   SeamlessSetup seamless;  ///< its field has the scale of the cone metric with free rims
   AlignedField aligned;
   RealUnknowns unknowns;
+  std::shared_ptr<RealTree> tree = std::make_shared<RealTree>();
   std::vector<StraightEdge> edges;
   std::vector<SideDistance> distances;
   PerVertex<char> hasRow;
@@ -18,20 +19,29 @@ struct StraightSetup {
       base;  ///< the triangles at cones off features, and in sectors of index 3 and more
 };
 
-/// The same for a field that is known, without its stage.
-Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vector<EdgeId>& features,
-                                      AlignedField aligned, const ParametrizeOptions& options,
-                                      std::vector<StageTime>& times);
+/// What the lengths of features depend on, for a field that need not be fitted: all but the metric. Fails with kUnsupported where
+/// the equations have no exact solution.
+Result<StraightSetup> prepareLengths(PreparedSurface& surface, const std::vector<EdgeId>& features,
+                                     AlignedField aligned, const ParametrizeOptions& options,
+                                     std::vector<StageTime>& times);
 
-/// Fails as alignedField() does, and with kUnsupported where the equations have no exact solution.
+/// What programs need besides, where it is not there yet: the field fitted to its indices, and the scale of the cone metric.
+void completeStraight(const TriMesh& mesh, StraightSetup& setup);
+
+/// The same for the smoothest field. Fails as alignedField() does, too.
 /// @param features  contain all boundary edges; ascending
 /// @param asked     as for alignedField()
+Result<StraightSetup> prepareLengths(PreparedSurface& surface, const std::vector<EdgeId>& features,
+                                     const HolonomySpec& asked, const ParametrizeOptions& options,
+                                     std::vector<StageTime>& times);
+
+/// Both.
 Result<StraightSetup> prepareStraight(PreparedSurface& surface, const std::vector<EdgeId>& features,
                                       const HolonomySpec& asked, const ParametrizeOptions& options,
                                       std::vector<StageTime>& times);
 
 inline StraightSystem straightSystemOf(const StraightSetup& setup, const SeamlessSystem& system) {
-  return {system, setup.unknowns, setup.edges, setup.distances, setup.hasRow};
+  return {system, setup.unknowns, setup.edges, setup.distances, setup.hasRow, *setup.tree};
 }
 
 }  // namespace hgp

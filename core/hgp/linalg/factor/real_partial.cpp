@@ -1,0 +1,136 @@
+#include "hgp/linalg/factor/real_partial.h"
+
+#include "hgp/base/portable_math.h"
+#include "hgp/linalg/factor/diagonal_lifts.h"
+#include "hgp/linalg/factor/matrix_source.h"
+#include "hgp/linalg/ordering/delay.h"
+
+namespace hgp::linalg {
+namespace {
+
+/// The plan of delays counts a changing unknown as two real ones and a static one as half of that, in complex arithmetic.
+/// Here both are real, so that half the usual number of iterations weighs the same.
+constexpr int kIterations = 6;
+
+std::vector<double> diagonalOf(const Eigen::SparseMatrix<double>& A, const SymbolicFactor& f) {
+  std::vector<double> diagonal(f.order.size());
+  for (int k = 0; k < f.size(); ++k) diagonal[k] = portable::abs(A.coeff(f.order[k], f.order[k]));
+  return diagonal;
+}
+
+/// Eliminates A, with a lift of its diagonal where that is necessary.
+FactorStatus eliminate(const Eigen::SparseMatrix<double>& A, const SymbolicFactor& f,
+                       PanelFactor<double>& panels, std::vector<Contribution<double>>* left,
+                       const std::vector<Contribution<double>>* below) {
+  const std::vector<double> diagonal = diagonalOf(A, f);
+  return withLifts([&](double lift) {
+    FrontSource<double> source = matrixSource(A, f);
+    source.below = below;
+    if (lift > 0.0)
+      source.addToPanel = [&, plain = source.addToPanel](int t, const int* local, double* panel,
+                                                         int rows) {
+        plain(t, local, panel, rows);
+        for (int k = 0; k < f.pivots(t); ++k)
+          panel[static_cast<std::size_t>(k) * rows + k] += lift * diagonal[f.nodeStart[t] + k];
+      };
+    FactorStatus status = panels.eliminate(source, diagonal, left);
+    if (!status) status.badPivot = f.order[status.badPivot];
+    return status;
+  });
+}
+
+}  // namespace
+
+void RealPartialCholesky::build(const Sparse& H, const Graph& pattern, const SeparatorTree& tree,
+                                const Cliques& cliques) {
+  SymbolicOptions options;
+  options.dynamic.assign(static_cast<std::size_t>(pattern.size()), 0);
+  for (const std::vector<int>& clique : cliques)
+    for (const int v : clique) options.dynamic[v] = 1;
+  const DelayedOrder delayed = delayTouched(pattern, tree, cliques, {kIterations});
+  symbolic_ =
+      std::make_shared<const SymbolicFactor>(linalg::analyze(pattern, delayed.order, options));
+  const SymbolicFactor& f = *symbolic_;
+  isReduced_.assign(f.order.size(), 0);
+  for (int t = 0; t < f.nodeCount(); ++t)
+    for (int k = f.nodeStart[t]; k < f.nodeStart[t + 1]; ++k) isReduced_[k] = f.dynamicNode[t];
+  takeReducedEntries(H);
+  statics_.layOut(symbolic_, 0);
+  reduced_.layOut(symbolic_, 1);
+  staticStatus_ = eliminate(H, f, statics_, &complements_, nullptr);
+}
+
+void RealPartialCholesky::takeReducedEntries(const Sparse& H) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto isReduced = [&](Eigen::Index v) { return isReduced_[symbolic_->position[v]] != 0; };
+  for (Eigen::Index j = 0; j < H.cols(); ++j) {
+    if (!isReduced(j)) continue;
+    for (Sparse::InnerIterator it(H, j); it; ++it)
+      if (isReduced(it.row()))
+        entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(j), it.value());
+  }
+  H_ = Sparse(H.rows(), H.cols());
+  H_.setFromTriplets(entries.begin(), entries.end());
+}
+
+Eigen::MatrixXd RealPartialCholesky::byPosition(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd out(x.size(), 1);
+  for (int k = 0; k < symbolic_->size(); ++k) out(k, 0) = x[symbolic_->order[k]];
+  return out;
+}
+
+Eigen::VectorXd RealPartialCholesky::reducedPart(const Eigen::MatrixXd& x) const {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(x.rows());
+  for (int k = 0; k < symbolic_->size(); ++k)
+    if (isReduced_[k]) out[symbolic_->order[k]] = x(k, 0);
+  return out;
+}
+
+Eigen::VectorXd RealPartialCholesky::reduceLinear(const Eigen::VectorXd& c) const {
+  Eigen::MatrixXd x = byPosition(c);
+  if (staticStatus_) statics_.forward(x);
+  return reducedPart(x);
+}
+
+Eigen::VectorXd RealPartialCholesky::apply(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd y = H_ * x;
+  Eigen::VectorXd in, out;
+  for (int t = 0; t < symbolic_->nodeCount(); ++t) {
+    if (symbolic_->dynamicNode[t] || complements_.empty() || !complements_[t].memory) continue;
+    const int r = symbolic_->rowCount(t);
+    const auto unknown = [&](int i) { return symbolic_->order[symbolic_->rowsOf(t)[i]]; };
+    in.resize(r);
+    for (int i = 0; i < r; ++i) in[i] = x[unknown(i)];
+    const Eigen::Map<const Eigen::MatrixXd> complement(complements_[t].values(), r, r);
+    out.noalias() = complement.selfadjointView<Eigen::Lower>() * in;
+    for (int i = 0; i < r; ++i) y[unknown(i)] += out[i];
+  }
+  return y;
+}
+
+FactorStatus RealPartialCholesky::factor(const Sparse& K) {
+  if (!staticStatus_) return staticStatus_;
+  return eliminate(K, *symbolic_, reduced_, nullptr, &complements_);
+}
+
+Eigen::VectorXd RealPartialCholesky::solve(const Eigen::VectorXd& rhs) const {
+  Eigen::MatrixXd x = byPosition(rhs);
+  reduced_.forward(x);
+  reduced_.backward(x);
+  return reducedPart(x);
+}
+
+Eigen::VectorXd RealPartialCholesky::extend(const Eigen::VectorXd& reduced,
+                                            const Eigen::VectorXd& c) const {
+  if (!staticStatus_) return reduced;
+  Eigen::MatrixXd x = byPosition(-c);
+  statics_.forward(x);
+  for (int k = 0; k < symbolic_->size(); ++k)
+    if (isReduced_[k]) x(k, 0) = reduced[symbolic_->order[k]];
+  statics_.backward(x);
+  Eigen::VectorXd out(x.rows());
+  for (int k = 0; k < symbolic_->size(); ++k) out[symbolic_->order[k]] = x(k, 0);
+  return out;
+}
+
+}  // namespace hgp::linalg

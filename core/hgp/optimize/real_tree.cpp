@@ -1,0 +1,130 @@
+#include "hgp/optimize/real_tree.h"
+
+#include <algorithm>
+
+namespace hgp {
+namespace {
+
+constexpr int kNobody = -1, kSeveral = -2;
+
+void sortUnique(std::vector<int>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+class Dissection {
+ public:
+  Dissection(const SeamlessSystem& system, const RealUnknowns& unknowns,
+             const PerVertex<char>& hasRow)
+      : s_(system), unknowns_(unknowns), hasRow_(hasRow) {
+    nameUnknowns();
+  }
+
+  linalg::SeparatorTree run() const {
+    linalg::DissectionOptions options;
+    options.separatorWidth = 2;
+    const linalg::SeparatorTree own = linalg::nestedDissection(edgeGraph(), options);
+    linalg::SeparatorTree tree = linalg::appendVertices(own, sharedGraph());
+    std::vector<int> unknownOf(name_.size());
+    for (std::size_t i = 0; i < name_.size(); ++i) unknownOf[at(name_[i])] = static_cast<int>(i);
+    for (int& v : tree.order) v = unknownOf[at(v)];
+    return tree;
+  }
+
+ private:
+  template <class Use>
+  void forEachUnknown(int copy, int part, const Use& use) const {
+    for (RealUnknowns::Rows::InnerIterator it(unknowns_.rows, 2 * copy + part); it; ++it)
+      use(static_cast<int>(it.col()));
+  }
+
+  /// First those on which the copies of one vertex depend, then the others.
+  void nameUnknowns() {
+    std::vector<int> owner(at(unknowns_.count), kNobody);
+    for (int copy = 0; copy < s_.cut.vertexCount(); ++copy)
+      for (const int part : {0, 1})
+        forEachUnknown(copy, part, [&](int i) {
+          const int vertex = s_.cut.parent[CutVertexId(copy)].i;
+          owner[at(i)] = owner[at(i)] == kNobody || owner[at(i)] == vertex ? vertex : kSeveral;
+        });
+    name_.resize(owner.size());
+    for (std::size_t i = 0; i < owner.size(); ++i)
+      if (owner[i] != kSeveral) name_[i] = own_++;
+    int next = own_;
+    for (std::size_t i = 0; i < owner.size(); ++i)
+      if (owner[i] == kSeveral) name_[i] = next++;
+  }
+
+  /// Corners of a triangle are coupled part by part.
+  linalg::Graph edgeGraph() const {
+    linalg::Cliques cliques;
+    cliques.reserve(2 * at(s_.mesh.faceCount()));
+    for (FaceId f : s_.mesh.faces())
+      for (const int part : {0, 1}) {
+        std::vector<int>& clique = cliques.emplace_back();
+        for (int k = 0; k < 3; ++k)
+          forEachUnknown(s_.cut.copy[TriMesh::halfedge(f, k)].i, part, [&](int i) {
+            if (name_[at(i)] < own_) clique.push_back(name_[at(i)]);
+          });
+        sortUnique(clique);
+      }
+    linalg::Graph isolated;
+    isolated.start.assign(at(own_) + 1, 0);
+    return linalg::withCliques(isolated, cliques);
+  }
+
+  /// What shared unknowns are coupled with, by the triangles and by the rows around vertices.
+  linalg::Graph sharedGraph() const {
+    std::vector<std::vector<int>> neighbours(name_.size());
+    std::vector<int> group;
+    const auto addFace = [&](FaceId f, int part) {
+      for (int k = 0; k < 3; ++k)
+        forEachUnknown(s_.cut.copy[TriMesh::halfedge(f, k)].i, part,
+                       [&](int i) { group.push_back(name_[at(i)]); });
+    };
+    const auto couple = [&] {
+      if (std::any_of(group.begin(), group.end(), [&](int name) { return name >= own_; }))
+        sortUnique(group);
+      else
+        group.clear();
+      for (auto shared = group.rbegin(); shared != group.rend() && *shared >= own_; ++shared)
+        neighbours[at(*shared)].insert(neighbours[at(*shared)].end(), group.begin(), group.end());
+      group.clear();
+    };
+    for (const int part : {0, 1}) {
+      for (VertexId v : s_.mesh.vertices()) {
+        if (!hasRow_[v]) continue;
+        for (HalfedgeId h : outgoingHalfedges(s_.mesh, v))
+          addFace(TriMesh::face(h), (part + s_.unknowns.turn[s_.cut.copy[h]]) & 1);
+        couple();
+      }
+      for (FaceId f : s_.mesh.faces()) {
+        addFace(f, part);
+        couple();
+      }
+    }
+    linalg::Graph graph;
+    for (std::vector<int>& list : neighbours) {
+      sortUnique(list);
+      graph.neighbours.insert(graph.neighbours.end(), list.begin(), list.end());
+      graph.start.push_back(static_cast<int>(graph.neighbours.size()));
+    }
+    return graph;
+  }
+
+  const SeamlessSystem& s_;
+  const RealUnknowns& unknowns_;
+  const PerVertex<char>& hasRow_;
+  std::vector<int> name_;
+  int own_ = 0;
+};
+
+}  // namespace
+
+linalg::SeparatorTree RealTree::get(const SeamlessSystem& system, const RealUnknowns& unknowns,
+                                    const PerVertex<char>& hasRow, const std::vector<int>& number) {
+  if (!tree_) tree_ = Dissection(system, unknowns, hasRow).run();
+  return linalg::restrictTree(*tree_, number);
+}
+
+}  // namespace hgp

@@ -111,7 +111,9 @@ int PanelFactor<Scalar>::eliminateNode(int t, const FrontSource<Scalar>& source,
                                        const std::vector<double>& diagonal,
                                        std::vector<Contribution<Scalar>>& held, Scratch& scratch) {
   const SymbolicFactor& f = *symbolic_;
-  auto& [work, local, threshold] = scratch;
+  KernelWorkspace& work = scratch.work;
+  std::vector<int>& local = scratch.local;
+  std::vector<double>& threshold = scratch.threshold;
   const int s = f.pivots(t), r = f.rowCount(t), first = f.nodeStart[t];
   Scalar* const P = panel(t);
   threshold.resize(static_cast<std::size_t>(s));

@@ -1,6 +1,7 @@
 // The order of things that are not moved themselves.  Role: one sort for all that are sorted by index.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -21,6 +22,17 @@ void sortStably(std::vector<T>& list, const Less& less) {
   sorted.reserve(list.size());
   for (const std::size_t i : order) sorted.push_back(std::move(list[i]));
   list = std::move(sorted);
+}
+
+/// std::sort for three, which needs no more code than this.
+template <class T, class Less>
+void sortThree(std::array<T, 3>& list, const Less& less) {
+  const auto order = [&](T& first, T& second) {
+    if (less(second, first)) std::swap(first, second);
+  };
+  order(list[0], list[1]);
+  order(list[1], list[2]);
+  order(list[0], list[1]);
 }
 
 }  // namespace hgp

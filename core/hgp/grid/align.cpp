@@ -279,8 +279,8 @@ class Aligner {
     GridReport& report = out_.report;
     for (const ConePair& pair : system_.neighbours(1.0 / scale_).pairs)
       report.closest.push_back({pair.a, pair.b, scale_ * portable::abs(pair.distance)});
-    std::sort(report.closest.begin(), report.closest.end(),
-              [](const ConeDistance& a, const ConeDistance& b) { return a.cells < b.cells; });
+    sortStably(report.closest,
+               [](const ConeDistance& a, const ConeDistance& b) { return a.cells < b.cells; });
     report.closest.resize(std::min(report.closest.size(), kNamed));
     report.reason = Note("grid-no-integers", {{"cells", report.cells},
                                               {"perCone", report.cellsPerCone},

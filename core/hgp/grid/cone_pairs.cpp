@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "hgp/base/portable_math.h"
+#include "hgp/base/stable_order.h"
 
 namespace hgp {
 namespace {
@@ -46,7 +47,7 @@ class NeighbourSearch {
       const double length = distance_[a] + lengthOf(h) + distance_[b];
       if (length <= reach_) bridges.push_back({length, h});
     }
-    std::sort(bridges.begin(), bridges.end(), [](const Bridge& x, const Bridge& y) {
+    sortStably(bridges, [](const Bridge& x, const Bridge& y) {
       return x.length != y.length ? x.length < y.length : x.edge < y.edge;
     });
     std::map<std::pair<int, int>, std::vector<Complex>> found;

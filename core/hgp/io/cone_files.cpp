@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/io/polygon/obj_scan.h"
 #include "hgp/text/text.h"
 
@@ -38,7 +39,7 @@ class HgpLines {
     if (out_.field) {
       std::vector<Matching>& list = out_.field->matchings;
       // The file lists every edge once per side, with opposite rotations.
-      std::sort(list.begin(), list.end(), [](const Matching& a, const Matching& b) {
+      sortStably(list, [](const Matching& a, const Matching& b) {
         return std::pair(std::min(a.tail, a.head), std::max(a.tail, a.head)) <
                std::pair(std::min(b.tail, b.head), std::max(b.tail, b.head));
       });

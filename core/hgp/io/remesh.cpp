@@ -4,6 +4,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/ids.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
@@ -53,8 +54,7 @@ Blend blendOf(const std::array<int, 3>& of, const std::array<double, 3>& weight)
   Blend out;
   std::size_t count = 0;
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return of[a] < of[b]; });
+  sortThree(order, [&](std::size_t a, std::size_t b) { return of[a] < of[b]; });
   for (const std::size_t k : order) {
     if (!(weight[k] > 0)) continue;
     if (of[k] < 0) return {};

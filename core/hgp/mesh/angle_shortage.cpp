@@ -4,6 +4,7 @@
 #include <array>
 
 #include "hgp/base/check.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/base/turns.h"
 
 namespace hgp {
@@ -120,7 +121,7 @@ class AngleFlow {
     const double scale = static_cast<double>(all) / kPi;
     std::array<HalfedgeId, 3> h;
     for (std::size_t k = 0; k < 3; ++k) h[k] = TriMesh::halfedge(f, static_cast<int>(k));
-    std::sort(h.begin(), h.end(), [&](HalfedgeId a, HalfedgeId b) { return start[a] < start[b]; });
+    sortThree(h, [&](HalfedgeId a, HalfedgeId b) { return start[a] < start[b]; });
     long long rest = all;
     for (std::size_t k = 0; k < 3; ++k) {
       // The smallest first: what it is raised by is missing at the larger ones.
@@ -221,7 +222,7 @@ AngleShortage describe(const TriMesh& mesh, const AngleQuestion& question, const
     out.asked += turnAngle(question.k[v], question.q);
     (question.k[v] != question.q ? out.cones : out.regular).push_back(v);
   }
-  std::sort(out.cones.begin(), out.cones.end(), [&](VertexId a, VertexId b) {
+  sortStably(out.cones, [&](VertexId a, VertexId b) {
     return question.k[a] != question.k[b] ? question.k[a] > question.k[b] : a < b;
   });
   std::sort(out.regular.begin(), out.regular.end());

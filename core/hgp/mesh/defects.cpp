@@ -7,6 +7,7 @@
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
 #include "hgp/base/phrase.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/mesh/edge_table.h"
 #include "hgp/mesh/finite.h"
 
@@ -110,7 +111,7 @@ void findDuplicates(const Triangles& triangles, const std::vector<char>& isBroke
       if (e != first && e->mid == (e - 1)->mid && e->high == (e - 1)->high)
         found.push_back(faceAt(e->face));
   }
-  std::sort(found.begin(), found.end(), [](const Where& a, const Where& b) { return a.id < b.id; });
+  sortStably(found, [](const Where& a, const Where& b) { return a.id < b.id; });
 }
 
 /// Edges with the wrong number or direction of faces, and vertices with more than one fan. Faces

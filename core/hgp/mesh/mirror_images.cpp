@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "hgp/base/stable_order.h"
 #include "hgp/mesh/reflection.h"
 #include "hgp/mesh/vectors.h"
 
@@ -39,8 +40,7 @@ MirrorImages mirrorImages(const TriMesh& mesh, const MirrorPlane& plane, double 
   std::vector<Centre> centres;
   centres.reserve(at(mesh.faceCount()));
   for (FaceId f : mesh.faces()) centres.push_back({placeOf(cornersOf(mesh, f)), f});
-  std::sort(centres.begin(), centres.end(),
-            [](const Centre& a, const Centre& b) { return a.place < b.place; });
+  sortStably(centres, [](const Centre& a, const Centre& b) { return a.place < b.place; });
   MirrorImages out;
   for (FaceId f : mesh.faces()) {
     std::array<Vec3, 3> there = cornersOf(mesh, f);

@@ -35,9 +35,9 @@ void forEachEntry(const socp::ConeConstraint& constraint, const Use& use) {
 
 RealForm::RealForm(const Eigen::SparseMatrix<double>& H, const linalg::SeparatorTree& tree,
                    const std::vector<socp::ConeConstraint>& constraints)
-    : H_(H), blocks_(H.rows(), H.cols()) {
+    : blocks_(H.rows(), H.cols()) {
   layOut(constraints);
-  factor_.build(H_, linalg::graphOf(Sparse(H_ + blocks_)), tree, cliquesOf(constraints));
+  factor_.build(H, tree, cliquesOf(constraints));
 }
 
 /// blocks_ gets the pattern of all blocks together; terms_ say where their numbers go.
@@ -71,7 +71,7 @@ double RealForm::multiplyAdds(int factorizations) const {
 linalg::FactorStatus RealForm::factor(const double* values) {
   std::fill(blocks_.valuePtr(), blocks_.valuePtr() + blocks_.nonZeros(), 0.0);
   for (const Term& term : terms_) blocks_.valuePtr()[term.target] += values[term.source];
-  return factor_.factor(H_ + blocks_);
+  return factor_.factor(blocks_);
 }
 
 }  // namespace hgp

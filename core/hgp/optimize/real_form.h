@@ -15,7 +15,7 @@ namespace hgp {
 /// that are 0 at these.
 class RealForm : public linalg::ChangingForm {
  public:
-  /// @param H            n × n, n even, symmetric, both triangles
+  /// @param H            n × n, n even, symmetric, both triangles; must outlive this
   /// @param tree         orders the unknowns
   /// @param constraints  one block each
   RealForm(const Eigen::SparseMatrix<double>& H, const linalg::SeparatorTree& tree,
@@ -48,7 +48,7 @@ class RealForm : public linalg::ChangingForm {
 
   void layOut(const std::vector<socp::ConeConstraint>& constraints);
 
-  Sparse H_, blocks_;
+  Sparse blocks_;
   std::vector<std::size_t> offset_{0};
   std::vector<Term> terms_;
   linalg::RealPartialCholesky factor_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/stable_order.h"
 #include "hgp/io/plain_surface.h"
 #include "hgp/mesh/vectors.h"
 
@@ -32,7 +33,7 @@ std::vector<Side> sidesOf(const MeshData& mesh) {
       else
         sides.push_back({b, a, static_cast<int>(t), next, k});
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+  sortStably(sides, [](const Side& s, const Side& t) {
     return std::tie(s.a, s.b, s.triangle) < std::tie(t.a, t.b, t.triangle);
   });
   return sides;

@@ -12,37 +12,17 @@ namespace {
 /// Here both are real, so that half the usual number of iterations weighs the same.
 constexpr int kIterations = 6;
 
-std::vector<double> diagonalOf(const Eigen::SparseMatrix<double>& A, const SymbolicFactor& f) {
-  std::vector<double> diagonal(f.order.size());
-  for (int k = 0; k < f.size(); ++k) diagonal[k] = portable::abs(A.coeff(f.order[k], f.order[k]));
-  return diagonal;
-}
-
-/// Eliminates A, with a lift of its diagonal where that is necessary.
-FactorStatus eliminate(const Eigen::SparseMatrix<double>& A, const SymbolicFactor& f,
-                       PanelFactor<double>& panels, std::vector<Contribution<double>>* left,
-                       const std::vector<Contribution<double>>* below) {
-  const std::vector<double> diagonal = diagonalOf(A, f);
-  return withLifts([&](double lift) {
-    FrontSource<double> source = matrixSource(A, f);
-    source.below = below;
-    if (lift > 0.0)
-      source.addToPanel = [&, plain = source.addToPanel](int t, const int* local, double* panel,
-                                                         int rows) {
-        plain(t, local, panel, rows);
-        for (int k = 0; k < f.pivots(t); ++k)
-          panel[static_cast<std::size_t>(k) * rows + k] += lift * diagonal[f.nodeStart[t] + k];
-      };
-    FactorStatus status = panels.eliminate(source, diagonal, left);
-    if (!status) status.badPivot = f.order[status.badPivot];
-    return status;
-  });
+void addDiagonal(const Eigen::SparseMatrix<double>& A, const SymbolicFactor& f,
+                 std::vector<double>& diagonal) {
+  for (int k = 0; k < f.size(); ++k) diagonal[k] += portable::abs(A.coeff(f.order[k], f.order[k]));
 }
 
 }  // namespace
 
-void RealPartialCholesky::build(const Sparse& H, const Graph& pattern, const SeparatorTree& tree,
+void RealPartialCholesky::build(const Sparse& H, const SeparatorTree& tree,
                                 const Cliques& cliques) {
+  H_ = &H;
+  const Graph pattern = withCliques(graphOf(H), cliques);
   SymbolicOptions options;
   options.dynamic.assign(static_cast<std::size_t>(pattern.size()), 0);
   for (const std::vector<int>& clique : cliques)
@@ -54,23 +34,36 @@ void RealPartialCholesky::build(const Sparse& H, const Graph& pattern, const Sep
   isReduced_.assign(f.order.size(), 0);
   for (int t = 0; t < f.nodeCount(); ++t)
     for (int k = f.nodeStart[t]; k < f.nodeStart[t + 1]; ++k) isReduced_[k] = f.dynamicNode[t];
-  takeReducedEntries(H);
   statics_.layOut(symbolic_, 0);
   reduced_.layOut(symbolic_, 1);
-  staticStatus_ = eliminate(H, f, statics_, &complements_, nullptr);
+  staticStatus_ = eliminate(nullptr, statics_, &complements_);
 }
 
-void RealPartialCholesky::takeReducedEntries(const Sparse& H) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto isReduced = [&](Eigen::Index v) { return isReduced_[symbolic_->position[v]] != 0; };
-  for (Eigen::Index j = 0; j < H.cols(); ++j) {
-    if (!isReduced(j)) continue;
-    for (Sparse::InnerIterator it(H, j); it; ++it)
-      if (isReduced(it.row()))
-        entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(j), it.value());
+/// H, or H + blocks, in the nodes of `panels`; its diagonal is lifted where that is necessary.
+FactorStatus RealPartialCholesky::eliminate(const Sparse* blocks, PanelFactor<double>& panels,
+                                            std::vector<Contribution<double>>* left) const {
+  const SymbolicFactor& f = *symbolic_;
+  std::vector<double> diagonal(f.order.size(), 0.0);
+  addDiagonal(*H_, f, diagonal);
+  const FrontSource<double> own = matrixSource(*H_, f);
+  FrontSource<double> changing;
+  if (blocks != nullptr) {
+    addDiagonal(*blocks, f, diagonal);
+    changing = matrixSource(*blocks, f);
   }
-  H_ = Sparse(H.rows(), H.cols());
-  H_.setFromTriplets(entries.begin(), entries.end());
+  return withLifts([&](double lift) {
+    FrontSource<double> source;
+    source.addToPanel = [&](int t, const int* local, double* panel, int rows) {
+      own.addToPanel(t, local, panel, rows);
+      if (blocks != nullptr) changing.addToPanel(t, local, panel, rows);
+      for (int k = 0; k < f.pivots(t); ++k)
+        panel[static_cast<std::size_t>(k) * rows + k] += lift * diagonal[f.nodeStart[t] + k];
+    };
+    if (blocks != nullptr) source.below = &complements_;
+    FactorStatus status = panels.eliminate(source, diagonal, left);
+    if (!status) status.badPivot = f.order[status.badPivot];
+    return status;
+  });
 }
 
 Eigen::MatrixXd RealPartialCholesky::byPosition(const Eigen::VectorXd& x) const {
@@ -93,7 +86,8 @@ Eigen::VectorXd RealPartialCholesky::reduceLinear(const Eigen::VectorXd& c) cons
 }
 
 Eigen::VectorXd RealPartialCholesky::apply(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd y = H_ * x;
+  // x is 0 at static unknowns, and what H adds to these is left out.
+  Eigen::VectorXd y = reducedPart(byPosition(*H_ * x));
   Eigen::VectorXd in, out;
   for (int t = 0; t < symbolic_->nodeCount(); ++t) {
     if (symbolic_->dynamicNode[t] || complements_.empty() || !complements_[t].memory) continue;
@@ -108,9 +102,8 @@ Eigen::VectorXd RealPartialCholesky::apply(const Eigen::VectorXd& x) const {
   return y;
 }
 
-FactorStatus RealPartialCholesky::factor(const Sparse& K) {
-  if (!staticStatus_) return staticStatus_;
-  return eliminate(K, *symbolic_, reduced_, nullptr, &complements_);
+FactorStatus RealPartialCholesky::factor(const Sparse& blocks) {
+  return staticStatus_ ? eliminate(&blocks, reduced_, nullptr) : staticStatus_;
 }
 
 Eigen::VectorXd RealPartialCholesky::solve(const Eigen::VectorXd& rhs) const {

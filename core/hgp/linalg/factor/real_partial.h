@@ -19,12 +19,10 @@ class RealPartialCholesky {
   using Sparse = Eigen::SparseMatrix<double>;
 
   /// Eliminates the static unknowns; what is not ok fails every factor().
-  /// @param H        n × n, positive semidefinite, both triangles
-  /// @param pattern  of every K
+  /// @param H        n × n, positive semidefinite, both triangles; must outlive this
   /// @param tree     orders the unknowns
   /// @param cliques  the unknowns of each block; a block may have fewer entries than its square
-  void build(const Sparse& H, const Graph& pattern, const SeparatorTree& tree,
-             const Cliques& cliques);
+  void build(const Sparse& H, const SeparatorTree& tree, const Cliques& cliques);
 
   bool isBuilt() const { return static_cast<bool>(staticStatus_); }
 
@@ -32,8 +30,8 @@ class RealPartialCholesky {
   Eigen::VectorXd reduceLinear(const Eigen::VectorXd& c) const;
   /// H̃ x
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
-  /// Factors the reduced part of K, whose entries at static unknowns are those of H.
-  FactorStatus factor(const Sparse& K);
+  /// Factors the reduced part of H + blocks, where `blocks` has entries within cliques only.
+  FactorStatus factor(const Sparse& blocks);
   /// Of the last good factor.
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
   /// The minimiser of ½ xᵀHx + cᵀx with the entries of `reduced` at the unknowns that are not static.
@@ -45,11 +43,12 @@ class RealPartialCholesky {
  private:
   Eigen::MatrixXd byPosition(const Eigen::VectorXd& x) const;
   Eigen::VectorXd reducedPart(const Eigen::MatrixXd& x) const;
-  void takeReducedEntries(const Sparse& H);
+  FactorStatus eliminate(const Sparse* blocks, PanelFactor<double>& panels,
+                         std::vector<Contribution<double>>* left) const;
 
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::vector<char> isReduced_;  ///< by position
-  Sparse H_;                     ///< the entries between reduced unknowns
+  const Sparse* H_ = nullptr;
   FactorStatus staticStatus_;
   PanelFactor<double> statics_, reduced_;
   std::vector<Contribution<double>> complements_;  ///< by node; of static ones below reduced ones

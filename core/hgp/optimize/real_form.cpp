@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace hgp {
-
 namespace {
 
 /// The unknown of a column of a constraint's F.

@@ -67,8 +67,9 @@ class ConstraintSearch {
 
   /// Whether constraints were taken in that the last point violates, or could have.
   bool takeMore(int part) {
+    // That a part makes no progress proves nothing about all.
     const bool isOver = best_.status == socp::SolveStatus::kCancelled ||
-                        socp::isWithoutPoint(best_.status) ||
+                        best_.status == socp::SolveStatus::kInfeasible ||
                         std::all_of(isIn_.begin(), isIn_.end(), [](char in) { return in != 0; });
     if (isOver) return false;
     std::vector<char> isNear = isIn_;

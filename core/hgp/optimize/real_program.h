@@ -24,7 +24,8 @@ struct RealSolution {
 };
 
 /// The minimiser without constraints comes first; then those that it violates, or nearly so, are taken into the program until no
-/// other is violated. As the objective is strictly convex, what is left out changes nothing.
+/// other is violated. As the objective is strictly convex, what is left out changes nothing. A part that is proved infeasible
+/// proves it for all; one that ends otherwise without a point is followed by the program with all constraints.
 /// @param tree  orders the unknowns
 RealSolution solveReal(const RealProgram& program, const linalg::SeparatorTree& tree,
                        const std::function<bool(int, double)>& progress);

@@ -73,35 +73,33 @@ class Dissection {
     return linalg::withCliques(isolated, cliques);
   }
 
-  /// What shared unknowns are coupled with, by the triangles and by the rows around vertices.
+  /// What shared unknowns may be coupled with, by the triangles and by the rows around vertices: with either part, as a seam
+  /// may turn one into the other.
   linalg::Graph sharedGraph() const {
     std::vector<std::vector<int>> neighbours(name_.size());
     std::vector<int> group;
-    const auto addFace = [&](FaceId f, int part) {
+    const auto addFace = [&](FaceId f) {
       for (int k = 0; k < 3; ++k)
-        forEachUnknown(s_.cut.copy[TriMesh::halfedge(f, k)].i, part,
-                       [&](int i) { group.push_back(name_[at(i)]); });
+        for (const int part : {0, 1})
+          forEachUnknown(s_.cut.copy[TriMesh::halfedge(f, k)].i, part,
+                         [&](int i) { group.push_back(name_[at(i)]); });
     };
     const auto couple = [&] {
-      if (std::any_of(group.begin(), group.end(), [&](int name) { return name >= own_; }))
-        sortUnique(group);
-      else
-        group.clear();
+      // Most groups have no shared unknown, and need not be sorted.
+      const auto isShared = [&](int name) { return name >= own_; };
+      if (std::any_of(group.begin(), group.end(), isShared)) sortUnique(group);
       for (auto shared = group.rbegin(); shared != group.rend() && *shared >= own_; ++shared)
         neighbours[at(*shared)].insert(neighbours[at(*shared)].end(), group.begin(), group.end());
       group.clear();
     };
-    for (const int part : {0, 1}) {
-      for (VertexId v : s_.mesh.vertices()) {
-        if (!hasRow_[v]) continue;
-        for (HalfedgeId h : outgoingHalfedges(s_.mesh, v))
-          addFace(TriMesh::face(h), (part + s_.unknowns.turn[s_.cut.copy[h]]) & 1);
-        couple();
-      }
-      for (FaceId f : s_.mesh.faces()) {
-        addFace(f, part);
-        couple();
-      }
+    for (VertexId v : s_.mesh.vertices()) {
+      if (!hasRow_[v]) continue;
+      for (HalfedgeId h : outgoingHalfedges(s_.mesh, v)) addFace(TriMesh::face(h));
+      couple();
+    }
+    for (FaceId f : s_.mesh.faces()) {
+      addFace(f);
+      couple();
     }
     linalg::Graph graph;
     for (std::vector<int>& list : neighbours) {

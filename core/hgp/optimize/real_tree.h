@@ -10,8 +10,9 @@
 
 namespace hgp {
 
-/// The separators of a quadratic form of harmonic rows and of the triangles' distortion. The two parts of a vertex, which are
-/// hardly coupled, are dissected as one. Computed when it is first needed.
+/// The separators of a quadratic form of harmonic rows and of the triangles' distortion. The two parts of a vertex are dissected
+/// separately, since turned seams alone couple them; unknowns of several vertices (lines of features, translations) are
+/// appended. Computed when it is first needed.
 class RealTree {
  public:
   /// @param system, unknowns, hasRow  as in StraightSystem; the same in every call
@@ -20,7 +21,7 @@ class RealTree {
                             const PerVertex<char>& hasRow, const std::vector<int>& number);
 
  private:
-  std::optional<linalg::SeparatorTree> tree_;  ///< of the complex unknowns
+  std::optional<linalg::SeparatorTree> tree_;  ///< of all unknowns
 };
 
 }  // namespace hgp

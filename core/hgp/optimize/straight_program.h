@@ -29,7 +29,7 @@ struct StraightSystem {
   const std::vector<StraightEdge>& edges;  ///< one side of every feature edge
   const std::vector<SideDistance>& distances;  ///< of cones that are alone in their patches
   const PerVertex<char>& hasRow;  ///< harmonic: inner vertices off features that are no cones
-  RealTree& tree;
+  RealTree& tree;                 ///< of these unknowns and rows
 };
 
 struct StraightOptions {

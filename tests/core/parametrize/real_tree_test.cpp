@@ -45,7 +45,14 @@ std::vector<std::set<int>> coupledSets(const TriMesh& mesh, const StraightSetup&
 }
 
 TEST(RealTree, SeparatesWhatRowsAndTrianglesDoNotCouple) {
-  for (const test::CreasedShape& shape : test::creasedShapes()) {
+  std::vector<test::CreasedShape> shapes = test::creasedShapes();
+  // Large enough to be dissected several times, with seams that turn beside creases.
+  for (const test::Shape& fine : {test::jittered(test::cube(12), 0.01), test::pretzel(2, 3)}) {
+    TriMesh mesh = fine.mesh();
+    std::vector<EdgeId> features = test::creasesOf(mesh);
+    shapes.push_back({fine.name, std::move(mesh), std::move(features)});
+  }
+  for (const test::CreasedShape& shape : shapes) {
     PreparedSurface surface(shape.mesh);
     std::vector<StageTime> times;
     const Result<StraightSetup> setup =

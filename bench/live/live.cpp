@@ -80,7 +80,28 @@ void count(const Verifier& verifier, const LiveFrame& frame, double milliseconds
   row.refuted += again.isCertified != (frame.state == LiveState::kCertified);
 }
 
-void drag(PreparedSurface& surface, const Parametrization& from, VertexId cone, int steps,
+/// How cones are dragged.
+struct Drags {
+  ConesFor conesFor = ConesFor::kBalanced;
+  int count = 10;  ///< drags per mesh
+  int steps = 10;  ///< frames per drag
+  int edges = 1;   ///< per frame: with more, a frame may leap out of reach
+  unsigned seed = 1;
+};
+
+/// A walk over so many edges; false where it ends at once.
+bool walk(const TriMesh& mesh, const CompleteSpec& spec, VertexId cone, int edges,
+          stress::Random& random, VertexId& at, HalfedgeId& direction) {
+  for (int i = 0; i < edges; ++i) {
+    const HalfedgeId h = onward(mesh, spec, cone, at, direction, random);
+    if (!h.isValid()) return i > 0;
+    direction = h;
+    at = mesh.head(h);
+  }
+  return true;
+}
+
+void drag(PreparedSurface& surface, const Parametrization& from, VertexId cone, const Drags& how,
           stress::Random& random, Row& row) {
   const TriMesh& mesh = surface.mesh();
   double milliseconds = 0.0;
@@ -95,21 +116,22 @@ void drag(PreparedSurface& surface, const Parametrization& from, VertexId cone, 
   };
   VertexId at = cone;
   HalfedgeId direction;
-  for (int step = 0; edit && step < steps; ++step) {
-    direction = onward(mesh, from.spec, cone, at, direction, random);
-    if (!direction.isValid()) return;
-    at = mesh.head(direction);
+  for (int step = 0; edit && step < how.steps; ++step) {
+    if (!walk(mesh, from.spec, cone, how.edges, random, at, direction)) return;
     const auto move = [&] { return timed(milliseconds, [&] { return edit->moveTo(at); }); };
     Result<LiveFrame> frame = move();
-    if (frame && frame->state == LiveState::kHeat && frame->wantsAnchor && prepareHere())
-      frame = move();
+    const auto isOut = [&] {
+      return frame && frame->state == LiveState::kHeat && frame->wantsAnchor;
+    };
+    if (isOut() && how.edges == 1 && prepareHere()) frame = move();
     if (!frame) return;
     count(verifier, *frame, milliseconds, row);
     if (frame->state != LiveState::kHeat && frame->wantsAnchor && !prepareHere()) return;
+    if (isOut() && !timed(milliseconds, [&] { return edit->beginToward(at); })) return;
   }
 }
 
-Result<Row> rowOf(const std::string& file, int drags, int steps, unsigned seed) {
+Result<Row> rowOf(const std::string& file, const Drags& how) {
   api::LoadOptions load;
   Result<io::FileSet> set = cli::openFiles(file, "", "", load.limits.maxBytes);
   if (!set) return set.error();
@@ -122,7 +144,9 @@ Result<Row> rowOf(const std::string& file, int drags, int steps, unsigned seed) 
   row.triangles = mesh.faceCount();
   PreparedSurface surface(mesh);
   const Result<Parametrization> solved = timed(row.firstRun, [&]() -> Result<Parametrization> {
-    const Result<CompleteSpec> spec = suggestCones(surface, {});
+    SuggestOptions suggest;
+    suggest.conesFor = how.conesFor;
+    const Result<CompleteSpec> spec = suggestCones(surface, suggest);
     if (!spec) return spec.error();
     return parametrize(surface, toSpec(*spec), {});
   });
@@ -130,11 +154,11 @@ Result<Row> rowOf(const std::string& file, int drags, int steps, unsigned seed) 
   if (!solved->isCertified || solved->spec.cones.empty())
     return Failure{ErrorCode::kNoMap, "live", "no certified map with cones", {}};
   row.cones = static_cast<int>(solved->spec.cones.size());
-  stress::Random random(std::to_string(seed) + row.name);
-  for (int i = 0; i < drags; ++i)
+  stress::Random random(std::to_string(how.seed) + row.name);
+  for (int i = 0; i < how.count; ++i)
     drag(surface, *solved,
-         solved->spec.cones[static_cast<std::size_t>(random.below(row.cones))].vertex, steps,
-         random, row);
+         solved->spec.cones[static_cast<std::size_t>(random.below(row.cones))].vertex, how, random,
+         row);
   return row;
 }
 
@@ -170,17 +194,20 @@ int printEdits(const std::vector<std::string>& files, int moves, unsigned seed) 
 
 int run(int argc, char** argv) {
   CLI::App app{"Random drags of cones over solved maps, as a table."};
-  int drags = 10, steps = 10;
-  unsigned seed = 1;
+  Drags how;
   std::vector<std::string> files;
   bool isOfEdits = false;
   app.add_flag("--edits", isOfEdits, "instead: cones that are dropped one edge away, solved anew");
-  app.add_option("--drags", drags, "drags per mesh");
-  app.add_option("--steps", steps, "edges per drag");
-  app.add_option("--seed", seed, "of the drags");
+  app.add_option("--drags", how.count, "drags per mesh");
+  app.add_option("--steps", how.steps, "frames per drag");
+  app.add_option("--edges", how.edges, "per frame");
+  bool isOfFew = false;
+  app.add_flag("--few", isOfFew, "few cones, as the page tries first");
+  app.add_option("--seed", how.seed, "of the drags");
   app.add_option("files", files, "meshes")->required();
   CLI11_PARSE(app, argc, argv);
-  if (isOfEdits) return printEdits(files, drags, seed);
+  if (isOfEdits) return printEdits(files, how.count, how.seed);
+  if (isOfFew) how.conesFor = ConesFor::kFew;
   std::printf(
       "| mesh | triangles | cones | first run, ms | frames | certified | not (reversed triangles) "
       "| "
@@ -188,7 +215,7 @@ int run(int argc, char** argv) {
       "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   Row all;
   for (const std::string& file : files) {
-    const Result<Row> row = rowOf(file, drags, steps, seed);
+    const Result<Row> row = rowOf(file, how);
     if (!row) {
       std::fprintf(stderr, "%s: %s\n", file.c_str(), row.error().message.c_str());
       continue;

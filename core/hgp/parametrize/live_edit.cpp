@@ -57,6 +57,7 @@ struct LiveEdit::State {
   CompleteSpec specAt(VertexId v) const;
   PerVertex<double> scale() const;
   int unknownOf(VertexId w, VertexId v) const;
+  Eigen::VectorXcd solveAt(VertexId v);
   void mapAt(VertexId v, LiveFrame& frame);
   UvMap layOut(const Eigen::VectorXcd& x) const;
 };
@@ -120,17 +121,37 @@ int LiveEdit::State::unknownOf(VertexId w, VertexId v) const {
   return w == cone.vertex ? cut->reusedUnknown() : setup->unknowns.vertexUnknown[w];
 }
 
-void LiveEdit::State::mapAt(VertexId v, LiveFrame& frame) {
-  Eigen::VectorXcd x = disc->solve(*cut, *field, v);
-  if (x.size() == 0 || !x.allFinite()) return;
+/// All unknowns with the cone at v; empty where there is no map.
+Eigen::VectorXcd LiveEdit::State::solveAt(VertexId v) {
+  if (cut->path().empty()) return disc->start();
+  const live::DiscFrame frame = disc->frameAt(*cut, *field, v);
   const live::Mending mending{surface.mesh(),
                               *setup,
                               *cut,
+                              v,
+                              turnAngle(cone.k, spec.q),
                               [&](VertexId w) { return disc->hasRow(w, v); },
                               [&](VertexId w) { return unknownOf(w, v); },
                               [&](VertexId w) { return setup->field.u[w] + field->scaleAt(w); },
                               [&](FaceId f) { return disc->targetAt(*field, f); }};
-  if (!cut->path().empty()) live::mend(mending, x);
+  const Eigen::VectorXcd change = disc->solve(frame);
+  if (change.size() == 0 || !change.allFinite()) return {};
+  const bool isWrong =
+      !live::wrongAmong(mending, disc->facesInside(), disc->changedInside(frame, change)).empty();
+  if (isWrong)
+    if (const Eigen::VectorXcd framed = disc->solveFramed(frame);
+        framed.size() > 0 && framed.allFinite()) {
+      Eigen::VectorXcd x = disc->changed(frame, framed);
+      if (live::mend(mending, x)) return x;
+    }
+  Eigen::VectorXcd x = disc->changed(frame, change);
+  live::mend(mending, x);
+  return x;
+}
+
+void LiveEdit::State::mapAt(VertexId v, LiveFrame& frame) {
+  const Eigen::VectorXcd x = solveAt(v);
+  if (x.size() == 0) return;
   frame.map = layOut(x);
   frame.copyOf = setup->cut.parent.raw();
   frame.copyOf.resize(at(cut->uvCount()));

@@ -14,10 +14,16 @@ namespace {
 
 /// A surface with automatic cones and its certified map.
 struct Solved {
-  explicit Solved(const test::Shape& shape) : mesh(shape.mesh()), surface(mesh) {
-    const Result<CompleteSpec> cones = suggestCones(surface, {});
-    EXPECT_TRUE(cones) << shape.name;
-    Result<Parametrization> run = parametrize(surface, toSpec(*cones), {});
+  explicit Solved(const test::Shape& shape, const std::vector<ConePoint>& prescribed = {})
+      : mesh(shape.mesh()), surface(mesh) {
+    HolonomySpec spec;
+    spec.cones = prescribed;
+    if (prescribed.empty()) {
+      const Result<CompleteSpec> cones = suggestCones(surface, {});
+      EXPECT_TRUE(cones) << shape.name;
+      spec = toSpec(*cones);
+    }
+    Result<Parametrization> run = parametrize(surface, spec, {});
     EXPECT_TRUE(run && run->isCertified) << shape.name;
     if (run) result = std::move(*run);
   }
@@ -108,6 +114,35 @@ TEST(LiveEdit, MostFramesAreCertifiedAndAnIndependentVerifierAgrees) {
     }
   }
   EXPECT_GT(all.frames, 200);
+  EXPECT_GE(all.certified, 0.95 * all.frames) << all.certified << " of " << all.frames;
+}
+
+/// A cone of index k at vertex 0, and others of 3 or 5 that complete it, q = 4.
+std::vector<ConePoint> withLargeCone(const TriMesh& mesh, int k) {
+  const int euler = mesh.vertexCount() - mesh.faceCount() / 2, missing = 4 * euler + k - 4;
+  std::vector<ConePoint> cones{{VertexId(0), k}};
+  const int half = mesh.vertexCount() / 2, count = std::abs(missing);
+  for (int i = 0; i < count; ++i)
+    cones.push_back({VertexId(half + i * (half - 1) / count), missing > 0 ? 3 : 5});
+  return cones;
+}
+
+// Without frame conditions around the cone one of ten frames is certified.
+TEST(LiveEdit, ConesOfLargeAnglesTakeTheMapWithThem) {
+  std::mt19937 random(3);
+  Walk all;
+  for (const test::Shape& shape :
+       {test::jittered(test::pretzel(2, 3), 0.02), test::jittered(test::pretzel(3, 3), 0.02),
+        test::jittered(test::torus(48, 20), 0.02)})
+    for (const int k : {6, 7}) {
+      Solved on(shape, withLargeCone(shape.mesh(), k));
+      for (int drag = 0; drag < 2; ++drag) {
+        const Walk one = walk(on, VertexId(0), 12, random);
+        all.frames += one.frames;
+        all.certified += one.certified;
+      }
+    }
+  EXPECT_EQ(all.frames, 144);
   EXPECT_GE(all.certified, 0.95 * all.frames) << all.certified << " of " << all.frames;
 }
 

@@ -1,6 +1,6 @@
 // Maps that a drag starts from, and reversed triangles of a frame.  Laws: seams that are apart are refused; where one vertex
-// has left its place, mending brings all triangles back and moves nothing but what is near; a map without reversed
-// triangles stays as it is.
+// has left its place, mending brings all triangles back and moves nothing but what is near; a map without wrong
+// triangles stays as it is; a ring that turns around the cone too seldom is wrong, reversed or not.
 #include "hgp/parametrize/live/mend.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +38,8 @@ struct Mended {
         mesh,
         setup,
         *cut,
+        setup.cones.front(),
+        turnAngle(setup.field.spec.cones.front().k, setup.field.spec.q),
         [&](VertexId v) { return std::count(setup.cones.begin(), setup.cones.end(), v) == 0; },
         [&](VertexId v) { return setup.unknowns.vertexUnknown[v]; },
         [&](VertexId v) { return setup.field.u[v]; },
@@ -76,9 +78,26 @@ TEST(ReadMap, RefusesAMapWhoseSeamIsApartByMoreThanRounding) {
 TEST(Mend, LeavesAMapWithoutReversedTrianglesAsItIs) {
   const Mended on;
   Eigen::VectorXcd x = on.x;
-  EXPECT_TRUE(reversedFaces(on.mending(), x).empty());
+  EXPECT_TRUE(wrongFaces(on.mending(), x).empty());
   EXPECT_TRUE(mend(on.mending(), x));
   EXPECT_EQ(x, on.x);
+}
+
+TEST(Mend, TrianglesAroundTheConeAreWrongWhereTheirAnglesDoNotAddUp) {
+  const Mended on;
+  Mending other = on.mending();
+  other.angle += turnAngle(1, on.setup.field.spec.q);
+  const std::vector<FaceId> wrong = wrongFaces(other, on.x);
+  std::size_t around = 0;
+  for (HalfedgeId h : outgoingHalfedges(on.mesh, other.cone)) around += h.isValid();
+  EXPECT_EQ(wrong.size(), around);
+  for (FaceId f : wrong) {
+    const auto corners = on.mesh.corners(f);
+    EXPECT_TRUE(std::count(corners.begin(), corners.end(), other.cone));
+  }
+  std::vector<FaceId> all;
+  for (FaceId f : on.mesh.faces()) all.push_back(f);
+  EXPECT_EQ(wrongAmong(other, all, on.x), wrong);
 }
 
 TEST(Mend, BringsAVertexBackThatHasCrossedAnEdgeAndMovesOnlyWhatIsNear) {
@@ -95,12 +114,12 @@ TEST(Mend, BringsAVertexBackThatHasCrossedAnEdgeAndMovesOnlyWhatIsNear) {
                   across = 0.5 * (on.corner(TriMesh::next(h)) + on.corner(TriMesh::previous(h)));
     Eigen::VectorXcd x = on.x;
     x[unknown] += 1.5 * (across - from);
-    const std::vector<FaceId> reversed = reversedFaces(on.mending(), x);
-    ASSERT_FALSE(reversed.empty());
-    EXPECT_TRUE(std::count(reversed.begin(), reversed.end(), TriMesh::face(h)));
+    const std::vector<FaceId> wrong = wrongFaces(on.mending(), x);
+    ASSERT_FALSE(wrong.empty());
+    EXPECT_TRUE(std::count(wrong.begin(), wrong.end(), TriMesh::face(h)));
     const Eigen::VectorXcd before = x;
     EXPECT_TRUE(mend(on.mending(), x)) << "vertex " << v.i;
-    EXPECT_TRUE(reversedFaces(on.mending(), x).empty());
+    EXPECT_TRUE(wrongFaces(on.mending(), x).empty());
     int moved = 0;
     for (Eigen::Index n = 0; n < x.size(); ++n) moved += x[n] != before[n];
     EXPECT_LT(moved, 80) << "the vertices of five rings";

@@ -1,31 +1,10 @@
-// One frame of a drag: the part of DragDisc that runs again for every position of the cone.
+// Where a cone can go in the disc of a drag, and how frames and scale change with it.
 #include <algorithm>
-#include <cmath>
 
 #include "hgp/base/portable_math.h"
-#include "hgp/optimize/frames.h"
 #include "hgp/parametrize/live/drag_disc.h"
-#include "hgp/socp/problem.h"
-#include "hgp/system/weights.h"
 
 namespace hgp::live {
-
-namespace {
-
-/// A Hermitian form as the real one that PartialCholesky takes.
-Eigen::MatrixXd realForm(const Eigen::MatrixXcd& H) {
-  Eigen::MatrixXd out(2 * H.rows(), 2 * H.rows());
-  for (Eigen::Index j = 0; j < H.rows(); ++j)
-    for (Eigen::Index i = 0; i < H.rows(); ++i) {
-      const Complex h = H(i, j);
-      out(2 * i, 2 * j) = out(2 * i + 1, 2 * j + 1) = h.real();
-      out(2 * i + 1, 2 * j) = h.imag();
-      out(2 * i, 2 * j + 1) = -h.imag();
-    }
-  return out;
-}
-
-}  // namespace
 
 std::vector<HalfedgeId> DragDisc::pathTo(VertexId v) const {
   if (ring_[v] < 0 || ring_[v] > reach() || isFixed(v)) return {};
@@ -98,69 +77,6 @@ Eigen::VectorXcd DragDisc::startOf(const MovedCut& cut) const {
   Eigen::VectorXcd x = x_;
   if (cut.reusedUnknown() >= 0)
     x[cut.reusedUnknown()] = valueOf(still_.termsOf(cut.path().front()), x_);
-  return x;
-}
-
-/// Harmonic rows of the disc's inner vertices, from the corners as they now are.
-void DragDisc::addRows(const MovedCut& cut, const MovedField& field, VertexId to,
-                       const Eigen::VectorXcd& x, SumOfSquares& sum) const {
-  std::vector<VertexId> soft;
-  for (FaceId f : facesNear(to))
-    for (VertexId v : mesh_.corners(f)) soft.push_back(v);
-  for (VertexId v : near_) {
-    if (ring_[v] == rings_ || !hasRow(v, to)) continue;
-    const Terms row = harmonicRow(mesh_, setup_.context->geometry, cut, v);
-    const bool isSoft = isSoft_[v] != 0 || std::find(soft.begin(), soft.end(), v) != soft.end();
-    const double weight = rowWeight(v, isSoft) * portable::exp(-field.scaleAt(v));
-    sum.add(row, discAt_, valueOf(row, x), weight * weight);
-  }
-}
-
-/// Soft triangles within reach: of the cone where it now is, and those of others.
-void DragDisc::addFaces(const MovedCut& cut, const MovedField& field, VertexId to,
-                        const Eigen::VectorXcd& x, SumOfSquares& sum) const {
-  const std::vector<FaceId> own = facesNear(to);
-  const Complex gauge = gaugeOf(field);
-  const auto addFace = [&](FaceId f, bool isOwn) {
-    const SoftFace before = softFace(f);
-    const FaceTerms terms = faceTerms(setup_.context->geometry, cut, f);
-    const Complex change = changeAt(field, f) / gauge;
-    const Complex target = isOwn ? targetAt(field, f) : change * before.fz;
-    const Complex targetBar = isOwn ? Complex(0.0) : change * before.fzbar;
-    const double weight2 = before.weight2 * (isOwn ? 1.0 : stiffness(before.fz, before.fzbar));
-    sum.add(terms.similar, discAt_, valueOf(terms.similar, x) - target, weight2);
-    sum.add(terms.anti, discAt_, valueOf(terms.anti, x) - targetBar, weight2);
-  };
-  for (FaceId f : own) addFace(f, true);
-  for (FaceId f : close_)
-    if (!std::binary_search(own.begin(), own.end(), f)) addFace(f, false);
-}
-
-Eigen::VectorXcd DragDisc::solve(const MovedCut& cut, const MovedField& field, VertexId to) {
-  if (cut.path().empty()) return x_;
-  SumOfSquares sum(disc_.size());
-  const Complex gauge = gaugeOf(field);
-  Eigen::VectorXcd x = startOf(cut);
-  addRows(cut, field, to, x, sum);
-  addFaces(cut, field, to, x, sum);
-  Eigen::VectorXcd c = Eigen::VectorXcd::Zero(root_.size());
-  for (const SoftFace& face : farFaces_) {
-    const Complex change = face.weight2 * (changeAt(field, face.face) / gauge - 1.0);
-    for (const Term& t : face.similar) c[t.unknown] -= change * std::conj(t.factor) * face.fz;
-    for (const Term& t : face.anti) c[t.unknown] -= change * std::conj(t.factor) * face.fzbar;
-  }
-  for (std::size_t i = 0; i < disc_.size(); ++i)
-    c[index_[at(disc_[i])]] += sum.c[static_cast<Eigen::Index>(i)];
-  if (!root_.factor({realForm(sum.H)})) return {};
-  const Eigen::VectorXd rhs = -socp::reducedLinear(root_, c);
-  const Eigen::VectorXcd delta = root_.extend(root_.solve(rhs), c);
-  Eigen::VectorXcd moved = Eigen::VectorXcd::Zero(
-      isSparse_ ? setup_.unknowns.count : static_cast<Eigen::Index>(kept_.size()));
-  for (Eigen::Index i = 0; i < moved.size(); ++i) {
-    const int index = index_[at(isSparse_ ? i : kept_[at(i)])];
-    if (index >= 0) moved[i] = delta[index];
-  }
-  x += isSparse_ ? moved : Eigen::VectorXcd(lu_.extend(moved));
   return x;
 }
 

@@ -35,7 +35,7 @@ double DragDisc::rowWeight(VertexId v, bool isSoft) const {
   return portable::exp(-setup_.field.u[v]) * (isSoft ? 1.0 : kExact);
 }
 
-DragDisc::SoftFace DragDisc::softFace(FaceId f) const {
+SoftFace DragDisc::softFace(FaceId f) const {
   const Geometry& geometry = setup_.context->geometry;
   SoftFace out;
   out.face = f;
@@ -106,7 +106,13 @@ bool DragDisc::factor(const Eigen::SparseMatrix<Complex>& H, const linalg::Separ
   options.delayDepth = 0;
   std::vector<int> clique;
   for (int unknown : disc_) clique.push_back(index_[at(unknown)]);
-  return static_cast<bool>(root_.build(H, {clique}, options));
+  if (!root_.build(H, {clique}, options)) return false;
+  const Eigen::MatrixXcd reduced = root_.reducedForm();
+  outside_.resize(reduced.rows(), reduced.cols());
+  for (Eigen::Index j = 0; j < reduced.cols(); ++j)
+    for (Eigen::Index i = 0; i < reduced.rows(); ++i)
+      outside_(i, j) = reduced(rootIndex(i), rootIndex(j));
+  return true;
 }
 
 /// Eliminates exact rows, which leaves a dense form over the kept unknowns.

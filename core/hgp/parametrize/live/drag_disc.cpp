@@ -78,6 +78,12 @@ void DragDisc::chooseDisc() {
         near_.push_back(w);
       }
   }
+  for (FaceId f : mesh_.faces()) {
+    const auto corners = mesh_.corners(f);
+    if (std::any_of(corners.begin(), corners.end(),
+                    [&](VertexId v) { return ring_[v] >= 0 && ring_[v] < rings_; }))
+      inside_.push_back(f);
+  }
 }
 
 /// Soft triangles of the other cones and of boundaries; those with a corner that may change are assembled in every frame.

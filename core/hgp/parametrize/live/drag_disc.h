@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "hgp/linalg/factor/factor.h"
-#include "hgp/parametrize/live/frame_rows.h"
+#include "hgp/parametrize/live/disc_frame.h"
+#include "hgp/parametrize/live/frame_conditions.h"
 #include "hgp/parametrize/live/moved_field.h"
 #include "hgp/parametrize/seamless_setup.h"
 
@@ -20,6 +21,10 @@ namespace hgp::live {
 /// with (L x)_v = 0 at all other vertices of the disc, and (L δ)_v = 0 at all others outside. Targets near the moved cone
 /// are a similarity along its frames, as in a first round; elsewhere they are the parts of x*, turned and scaled by the
 /// change of the field, so that a map that has not moved is x*, however it was found. Weights are those of x*.
+///
+/// Around a cone of a large angle such a map may be reversed, or turn too seldom. The second program has hard frame conditions
+/// on the triangles around the moved cone instead of their soft terms, and all rows of the disc have the same weight:
+/// residuals that must be somewhere are then spread over the disc.
 class DragDisc {
  public:
   /// Null if the system is singular.
@@ -36,8 +41,18 @@ class DragDisc {
   Complex targetAt(const MovedField& field, FaceId f) const;
   /// Vertices with a harmonic row while the cone is at `to`.
   bool hasRow(VertexId v, VertexId to) const { return !isFixed(v) && v != to; }
-  /// All unknowns, numbered as MovedCut does; x* where nothing has moved; empty if the system is singular.
-  Eigen::VectorXcd solve(const MovedCut& cut, const MovedField& field, VertexId to);
+  /// The arguments outlive the frame. @pre the cone has moved
+  DiscFrame frameAt(const MovedCut& cut, const MovedField& field, VertexId to) const;
+  /// The changes of the disc's unknowns; empty if the system is singular.
+  Eigen::VectorXcd solve(const DiscFrame& frame) const;
+  /// The same by the second program; empty, too, where its conditions have no solution.
+  Eigen::VectorXcd solveFramed(const DiscFrame& frame) const;
+  /// All unknowns, those outside the disc as they were: enough for the triangles of facesInside().
+  Eigen::VectorXcd changedInside(const DiscFrame& frame, const Eigen::VectorXcd& change) const;
+  /// All unknowns.
+  Eigen::VectorXcd changed(const DiscFrame& frame, const Eigen::VectorXcd& change) const;
+  const Eigen::VectorXcd& start() const { return x_; }  ///< x*
+  const std::vector<FaceId>& facesInside() const { return inside_; }
 
   /// The largest ring on which a cone or its path may be.
   int reach() const { return rings_ - 2; }
@@ -45,14 +60,6 @@ class DragDisc {
   int rootSize() const { return static_cast<int>(kept_.size()); }
 
  private:
-  /// A soft triangle of x*.
-  struct SoftFace {
-    FaceId face;
-    double weight2 = 0.0;  ///< σ A_f e^{−2u}
-    Terms similar, anti;   ///< f_z and f_z̄ over numbers of the root
-    Complex fz, fzbar;     ///< of x*
-  };
-
   DragDisc(const TriMesh& mesh, const SeamlessSetup& setup, VertexId cone, Eigen::VectorXcd x);
   bool build();
   void chooseFaces();
@@ -70,10 +77,11 @@ class DragDisc {
   std::vector<FaceId> facesNear(VertexId v) const;
   bool isFixed(VertexId v) const { return isFixed_[v] != 0; }
   double rowWeight(VertexId v, bool isSoft) const;
-  void addRows(const MovedCut& cut, const MovedField& field, VertexId to, const Eigen::VectorXcd& x,
-               SumOfSquares& sum) const;
-  void addFaces(const MovedCut& cut, const MovedField& field, VertexId to,
-                const Eigen::VectorXcd& x, SumOfSquares& sum) const;
+  void addRows(const DiscFrame& frame, const std::vector<VertexId>& soft, SumOfSquares& sum) const;
+  void addFaces(const DiscFrame& frame, const OwnFaces& own, SumOfSquares& sum) const;
+  /// The sum with everything else eliminated.
+  void addOutside(const DiscFrame& frame, SumOfSquares& sum) const;
+  int rootIndex(Eigen::Index inDisc) const;
   Complex gaugeOf(const MovedField& field) const;
   Complex changeAt(const MovedField& field, FaceId f) const;
 
@@ -89,6 +97,7 @@ class DragDisc {
   PerVertex<int> ring_;              ///< edges from the cone, up to rings_; −1 outside
   std::vector<VertexId> near_;       ///< the disc, ring by ring
   std::vector<FaceId> far_, close_;  ///< soft triangles of other cones: out of reach, within reach
+  std::vector<FaceId> inside_;       ///< triangles around the disc's vertices but the last ring
   std::vector<SoftFace> farFaces_;
   Complex scale_ = 1.0;                   ///< the similarity of x* relative to u and frames
   std::vector<int> disc_, kept_, index_;  ///< unknowns; index_: in the root, −1
@@ -97,6 +106,7 @@ class DragDisc {
   bool isSparse_ = false;  ///< the root has all unknowns, and lu_ is not used
   linalg::SchurLu lu_;
   linalg::PartialCholesky root_;
+  Eigen::MatrixXcd outside_;  ///< of the disc's unknowns, with everything else eliminated
 };
 
 }  // namespace hgp::live

@@ -1,19 +1,18 @@
 #include "hgp/parametrize/live/mend.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
 #include "hgp/base/portable_math.h"
+#include "hgp/parametrize/live/frame_conditions.h"
 
 namespace hgp::live {
 namespace {
 
-constexpr int kMendedRings = 2;
-/// Weight of a triangle's distortion relative to the harmonic rows: of changes, and of reversed ones, which grows.
+constexpr int kMendedRings = 2;  ///< around wrong triangles; one more with each attempt
+constexpr int kAttempts = 4;
+constexpr std::size_t kMaxMended = 80;  ///< triangles
+/// Weight of a triangle's distortion relative to the harmonic rows.
 constexpr double kChange = 0.03;
-constexpr double kFirst = 0.3;
-constexpr double kGrowth = 8.0;
-constexpr int kAttempts = 5;
 
 double faceScale(const Mending& on, FaceId f) {
   double u = 0.0;
@@ -23,11 +22,11 @@ double faceScale(const Mending& on, FaceId f) {
 
 class Patch {
  public:
-  Patch(const Mending& on, const std::vector<FaceId>& reversed) : on_(on) {
+  Patch(const Mending& on, const std::vector<FaceId>& framed, int rings) : on_(on) {
     std::vector<VertexId> near;
-    for (FaceId f : reversed)
+    for (FaceId f : framed)
       for (VertexId v : on.mesh.corners(f)) include(near, v);
-    for (int ring = 0; ring < kMendedRings; ++ring) grow(near);
+    for (int ring = 0; ring < rings; ++ring) grow(near);
     index_.assign(at(on.setup.unknowns.count), -1);
     for (VertexId v : near) {
       const int unknown = on.unknownOf(v);
@@ -43,28 +42,31 @@ class Patch {
     faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
   }
 
-  /// One step from x, with this weight on the triangles in `reversed`, ascending.
-  void step(const std::vector<FaceId>& reversed, double weight, Eigen::VectorXcd& x) const {
+  /// The minimiser from x with frame conditions on these triangles, ascending; false where there is none.
+  bool solve(const std::vector<FaceId>& framed, Eigen::VectorXcd& x) const {
+    const Geometry& geometry = on_.setup.context->geometry;
     SumOfSquares sum(unknowns_.size());
     for (VertexId v : rows_) {
       if (!on_.hasRow(v)) continue;
-      const Terms row = harmonicRow(on_.mesh, on_.setup.context->geometry, on_.cut, v);
+      const Terms row = harmonicRow(on_.mesh, geometry, on_.cut, v);
       sum.add(row, index_, valueOf(row, x), portable::exp(-2.0 * on_.scale(v)));
     }
+    FrameConditions conditions(geometry, on_.cut, index_);
     for (FaceId f : faces_) {
-      const FaceTerms terms = faceTerms(on_.setup.context->geometry, on_.cut, f);
-      const double unit =
-          on_.setup.context->geometry.area[f] * portable::exp(-2.0 * faceScale(on_, f));
+      const FaceTerms terms = faceTerms(geometry, on_.cut, f);
+      const double weight2 = kChange * geometry.area[f] * portable::exp(-2.0 * faceScale(on_, f));
       const Complex fz = valueOf(terms.similar, x), fzbar = valueOf(terms.anti, x);
-      const bool isReversed = std::binary_search(reversed.begin(), reversed.end(), f);
-      const double weight2 = unit * (isReversed ? weight : kChange * stiffness(fz, fzbar));
-      sum.add(terms.similar, index_, isReversed ? fz - on_.target(f) : Complex(0.0), weight2);
-      sum.add(terms.anti, index_, isReversed ? fzbar : Complex(0.0), weight2);
+      const bool isFramed = std::binary_search(framed.begin(), framed.end(), f);
+      const double stiff = isFramed ? 1.0 : stiffness(fz, fzbar);
+      sum.add(terms.similar, index_, isFramed ? fz - on_.target(f) : Complex(0.0), weight2 * stiff);
+      sum.add(terms.anti, index_, isFramed ? fzbar : Complex(0.0), weight2 * stiff);
+      if (isFramed) conditions.add(f, on_.target(f), x);
     }
-    const Eigen::VectorXcd delta = sum.H.ldlt().solve(-sum.c);
-    if (!delta.allFinite()) return;
+    const Eigen::VectorXcd delta = conditions.minimise(sum);
+    if (delta.size() == 0 || !delta.allFinite()) return false;
     for (std::size_t i = 0; i < unknowns_.size(); ++i)
       x[unknowns_[i]] += delta[static_cast<Eigen::Index>(i)];
+    return true;
   }
 
  private:
@@ -86,42 +88,73 @@ class Patch {
   std::vector<FaceId> faces_;
 };
 
+void include(const std::vector<FaceId>& faces, std::vector<FaceId>& in) {
+  in.insert(in.end(), faces.begin(), faces.end());
+  std::sort(in.begin(), in.end());
+  in.erase(std::unique(in.begin(), in.end()), in.end());
+}
+
+template <class PositionAt>
+bool isPositive(FaceId f, const PositionAt& positionAt) {
+  const Complex a = positionAt(TriMesh::halfedge(f, 0));
+  const Complex b = positionAt(TriMesh::halfedge(f, 1));
+  const Complex c = positionAt(TriMesh::halfedge(f, 2));
+  return std::imag(std::conj(b - a) * (c - a)) > 0.0;
+}
+
+/// Triangles around the cone if the map does not turn around it as often as it should.
+std::vector<FaceId> wrongRing(const Mending& on, const Eigen::VectorXcd& x) {
+  std::vector<FaceId> ring;
+  double angle = 0.0;
+  for (HalfedgeId h : outgoingHalfedges(on.mesh, on.cone)) {
+    const Complex centre = valueOf(on.cut.termsOf(h), x);
+    const Complex a = valueOf(on.cut.termsOf(TriMesh::next(h)), x) - centre;
+    const Complex b = valueOf(on.cut.termsOf(TriMesh::previous(h)), x) - centre;
+    angle += portable::arg(b * std::conj(a));
+    ring.push_back(TriMesh::face(h));
+  }
+  if (std::abs(angle - on.angle) < kPi / on.cut.q()) ring.clear();
+  return ring;
+}
+
 }  // namespace
 
-std::vector<FaceId> reversedFaces(const Mending& on, const Eigen::VectorXcd& x) {
+std::vector<FaceId> wrongFaces(const Mending& on, const Eigen::VectorXcd& x) {
   Eigen::VectorXcd z(on.cut.uvCount());
   z.head(on.setup.unknowns.copies.rows()) = on.setup.unknowns.copies * x;
   for (const MovedCut::Copy& copy : on.cut.copies()) z[copy.uv] = valueOf(copy.position, x);
-  std::vector<FaceId> reversed;
-  for (FaceId f : on.mesh.faces()) {
-    const auto corner = [&](int k) { return z[on.cut.uvOf(TriMesh::halfedge(f, k))]; };
-    const Complex a = corner(0);
-    if (!(std::imag(std::conj(corner(1) - a) * (corner(2) - a)) > 0.0)) reversed.push_back(f);
-  }
-  return reversed;
+  std::vector<FaceId> wrong;
+  for (FaceId f : on.mesh.faces())
+    if (!isPositive(f, [&](HalfedgeId h) { return z[on.cut.uvOf(h)]; })) wrong.push_back(f);
+  include(wrongRing(on, x), wrong);
+  return wrong;
+}
+
+std::vector<FaceId> wrongAmong(const Mending& on, const std::vector<FaceId>& faces,
+                               const Eigen::VectorXcd& x) {
+  std::vector<FaceId> wrong;
+  for (FaceId f : faces)
+    if (!isPositive(f, [&](HalfedgeId h) { return valueOf(on.cut.termsOf(h), x); }))
+      wrong.push_back(f);
+  include(wrongRing(on, x), wrong);
+  return wrong;
 }
 
 bool mend(const Mending& on, Eigen::VectorXcd& x) {
-  std::vector<FaceId> reversed = reversedFaces(on, x), asked = reversed;
-  if (reversed.empty()) return true;
-  Eigen::VectorXcd best = x;
-  std::size_t fewest = reversed.size();
-  double weight = kFirst;
-  for (int attempt = 0; attempt < kAttempts && asked.size() <= kMaxMended; ++attempt) {
-    Patch(on, asked).step(asked, weight, x);
-    reversed = reversedFaces(on, x);
-    if (reversed.size() < fewest) {
-      fewest = reversed.size();
-      best = x;
-    }
-    if (reversed.empty()) return true;
-    asked.insert(asked.end(), reversed.begin(), reversed.end());
-    std::sort(asked.begin(), asked.end());
-    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-    weight *= kGrowth;
+  const Eigen::VectorXcd start = x;
+  std::vector<FaceId> framed = wrongFaces(on, x);
+  std::size_t fewest = framed.size();
+  for (int attempt = 0; fewest > 0 && attempt < kAttempts && framed.size() <= kMaxMended;
+       ++attempt) {
+    Eigen::VectorXcd tried = start;
+    if (!Patch(on, framed, kMendedRings + attempt).solve(framed, tried)) continue;
+    const std::vector<FaceId> wrong = wrongFaces(on, tried);
+    include(wrong, framed);
+    if (wrong.size() >= fewest) continue;
+    fewest = wrong.size();
+    x = std::move(tried);
   }
-  x = best;
-  return false;
+  return fewest == 0;
 }
 
 }  // namespace hgp::live

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hgp/linalg/factor/factor.h"
-#include "hgp/parametrize/live/disc_frame.h"
+#include "hgp/parametrize/live/disc_terms.h"
 #include "hgp/parametrize/live/frame_conditions.h"
 #include "hgp/parametrize/live/moved_field.h"
 #include "hgp/parametrize/seamless_setup.h"

@@ -5,30 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <optional>
 
-#include "hgp/parametrize/live/read_map.h"
-#include "hgp/parametrize/parametrize.h"
-#include "hgp/parametrize/seamless_setup.h"
-#include "support/shapes.h"
+#include "solved_map.h"
 
 namespace hgp::live {
 namespace {
 
 /// The unknowns around one vertex of a certified map, numbered.
-struct Patch {
-  Patch() : mesh(test::jittered(test::icosphere(6), 0.01).mesh()), surface(mesh) {
-    const Result<CompleteSpec> cones = suggestCones(surface, {});
-    EXPECT_TRUE(cones);
-    const Result<Parametrization> run = parametrize(surface, toSpec(*cones), {});
-    EXPECT_TRUE(run && run->isCertified);
-    std::vector<StageTime> times;
-    Result<SeamlessSetup> made = prepareSeamless(surface, toSpec(run->spec), {}, times);
-    EXPECT_TRUE(made);
-    setup = std::move(*made);
-    cut.emplace(mesh, setup.cut, setup.seams, setup.unknowns, setup.cones.front());
+struct Patch : test_support::SolvedMap {
+  Patch() : SolvedMap(test::jittered(test::icosphere(6), 0.01)) {
     index.assign(at(setup.unknowns.count), -1);
-    x = readMap(mesh, setup, run->map).value();
     VertexId centre(0);
     while (setup.unknowns.vertexUnknown[centre] < 0) ++centre.i;
     for (HalfedgeId h : outgoingHalfedges(mesh, centre)) {
@@ -55,13 +41,8 @@ struct Patch {
     return out;
   }
 
-  TriMesh mesh;
-  PreparedSurface surface;
-  SeamlessSetup setup;
-  std::optional<MovedCut> cut;
   std::vector<int> index;
   std::vector<FaceId> faces;
-  Eigen::VectorXcd x;
   int count = 0;
 };
 

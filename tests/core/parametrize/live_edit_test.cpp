@@ -127,7 +127,7 @@ std::vector<ConePoint> withLargeCone(const TriMesh& mesh, int k) {
   return cones;
 }
 
-// Without frame conditions around the cone one of ten frames is certified.
+// Without any frame conditions one of ten frames is certified; with those of patches alone, 136 of 144.
 TEST(LiveEdit, ConesOfLargeAnglesTakeTheMapWithThem) {
   std::mt19937 random(3);
   Walk all;
@@ -143,7 +143,7 @@ TEST(LiveEdit, ConesOfLargeAnglesTakeTheMapWithThem) {
       }
     }
   EXPECT_EQ(all.frames, 144);
-  EXPECT_GE(all.certified, 0.95 * all.frames) << all.certified << " of " << all.frames;
+  EXPECT_GE(all.certified, 139) << all.certified << " of " << all.frames;
 }
 
 /// Begins to drag the first cone of every surface that has one.

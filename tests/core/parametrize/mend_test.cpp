@@ -7,31 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "hgp/base/portable_math.h"
-#include "hgp/parametrize/live/read_map.h"
-#include "hgp/parametrize/parametrize.h"
-#include "support/shapes.h"
+#include "solved_map.h"
 
 namespace hgp::live {
 namespace {
 
-/// A certified map with its unknowns, and what mend() asks about it.
-struct Mended {
-  Mended() : mesh(test::jittered(test::icosphere(8), 0.01).mesh()), surface(mesh) {
-    const Result<CompleteSpec> cones = suggestCones(surface, {});
-    EXPECT_TRUE(cones);
-    const Result<Parametrization> run = parametrize(surface, toSpec(*cones), {});
-    EXPECT_TRUE(run && run->isCertified);
-    std::vector<StageTime> times;
-    Result<SeamlessSetup> made = prepareSeamless(surface, toSpec(run->spec), {}, times);
-    EXPECT_TRUE(made);
-    setup = std::move(*made);
-    map = run->map;
-    x = readMap(mesh, setup, map).value();
-    cut.emplace(mesh, setup.cut, setup.seams, setup.unknowns, setup.cones.front());
-  }
+/// A certified map, and what mend() asks about it.
+struct Mended : test_support::SolvedMap {
+  Mended() : SolvedMap(test::jittered(test::icosphere(8), 0.01)) {}
 
   Mending mending() const {
     return {
@@ -46,13 +31,11 @@ struct Mended {
         [&](FaceId f) { return valueOf(faceTerms(setup.context->geometry, *cut, f).similar, x); }};
   }
   Complex corner(HalfedgeId h) const { return valueOf(cut->termsOf(h), x); }
-
-  TriMesh mesh;
-  PreparedSurface surface;
-  SeamlessSetup setup;
-  UvMap map;
-  Eigen::VectorXcd x;
-  std::optional<MovedCut> cut;
+  std::vector<FaceId> faces() const {
+    std::vector<FaceId> all;
+    for (FaceId f : mesh.faces()) all.push_back(f);
+    return all;
+  }
 };
 
 TEST(ReadMap, RefusesAMapWhoseSeamIsApartByMoreThanRounding) {
@@ -95,9 +78,7 @@ TEST(Mend, TrianglesAroundTheConeAreWrongWhereTheirAnglesDoNotAddUp) {
     const auto corners = on.mesh.corners(f);
     EXPECT_TRUE(std::count(corners.begin(), corners.end(), other.cone));
   }
-  std::vector<FaceId> all;
-  for (FaceId f : on.mesh.faces()) all.push_back(f);
-  EXPECT_EQ(wrongAmong(other, all, on.x), wrong);
+  EXPECT_EQ(wrongAmong(other, on.faces(), on.x), wrong);
 }
 
 TEST(Mend, BringsAVertexBackThatHasCrossedAnEdgeAndMovesOnlyWhatIsNear) {
@@ -117,6 +98,7 @@ TEST(Mend, BringsAVertexBackThatHasCrossedAnEdgeAndMovesOnlyWhatIsNear) {
     const std::vector<FaceId> wrong = wrongFaces(on.mending(), x);
     ASSERT_FALSE(wrong.empty());
     EXPECT_TRUE(std::count(wrong.begin(), wrong.end(), TriMesh::face(h)));
+    EXPECT_EQ(wrongAmong(on.mending(), on.faces(), x), wrong);
     const Eigen::VectorXcd before = x;
     EXPECT_TRUE(mend(on.mending(), x)) << "vertex " << v.i;
     EXPECT_TRUE(wrongFaces(on.mending(), x).empty());

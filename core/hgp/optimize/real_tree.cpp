@@ -1,6 +1,7 @@
 #include "hgp/optimize/real_tree.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hgp {
 namespace {
@@ -55,22 +56,43 @@ class Dissection {
       if (owner[i] == kSeveral) name_[i] = next++;
   }
 
-  /// Corners of a triangle are coupled part by part.
+  /// Ends of an edge are coupled part by part, in the chart of either side.
   linalg::Graph edgeGraph() const {
-    linalg::Cliques cliques;
-    cliques.reserve(2 * at(s_.mesh.faceCount()));
-    for (FaceId f : s_.mesh.faces())
-      for (const int part : {0, 1}) {
-        std::vector<int>& clique = cliques.emplace_back();
-        for (int k = 0; k < 3; ++k)
-          forEachUnknown(s_.cut.copy[TriMesh::halfedge(f, k)].i, part, [&](int i) {
-            if (name_[at(i)] < own_) clique.push_back(name_[at(i)]);
-          });
-        sortUnique(clique);
+    std::vector<std::array<int, 2>> pairs;
+    pairs.reserve(2 * at(s_.mesh.edgeCount()));
+    std::vector<int> coupled;
+    const auto couple = [&](int tail, int head, int part) {
+      coupled.clear();
+      for (const int copy : {tail, head})
+        forEachUnknown(copy, part, [&](int i) {
+          if (name_[at(i)] < own_) coupled.push_back(name_[at(i)]);
+        });
+      for (std::size_t i = 0; i < coupled.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (coupled[i] != coupled[j]) pairs.push_back({coupled[j], coupled[i]});
+    };
+    for (EdgeId e : s_.mesh.edges())
+      for (HalfedgeId h : {s_.mesh.halfedge(e), s_.mesh.twin(s_.mesh.halfedge(e))}) {
+        if (!h.isValid()) continue;
+        const int tail = s_.cut.copy[h].i, head = s_.cut.copy[TriMesh::next(h)].i;
+        for (const int part : {0, 1}) couple(tail, head, part);
+        if (!s_.cut.isSeam[e]) break;  // the other side has the same copies
       }
-    linalg::Graph isolated;
-    isolated.start.assign(at(own_) + 1, 0);
-    return linalg::withCliques(isolated, cliques);
+    return linalg::graphOf(own_, pairs);
+  }
+
+  PerFace<char> facesWithShared() const {
+    std::vector<char> isShared(at(s_.cut.vertexCount()), 0);
+    for (int copy = 0; copy < s_.cut.vertexCount(); ++copy)
+      for (const int part : {0, 1})
+        forEachUnknown(copy, part, [&](int i) {
+          if (name_[at(i)] >= own_) isShared[at(copy)] = 1;
+        });
+    PerFace<char> out(at(s_.mesh.faceCount()), 0);
+    for (FaceId f : s_.mesh.faces())
+      for (int k = 0; k < 3; ++k)
+        if (isShared[at(s_.cut.copy[TriMesh::halfedge(f, k)].i)]) out[f] = 1;
+    return out;
   }
 
   /// What shared unknowns may be coupled with, by the triangles and by the rows around vertices: with either part, as a seam
@@ -85,19 +107,23 @@ class Dissection {
                          [&](int i) { group.push_back(name_[at(i)]); });
     };
     const auto couple = [&] {
-      // Most groups have no shared unknown, and need not be sorted.
-      const auto isShared = [&](int name) { return name >= own_; };
-      if (std::any_of(group.begin(), group.end(), isShared)) sortUnique(group);
+      sortUnique(group);
       for (auto shared = group.rbegin(); shared != group.rend() && *shared >= own_; ++shared)
         neighbours[at(*shared)].insert(neighbours[at(*shared)].end(), group.begin(), group.end());
       group.clear();
     };
+    const PerFace<char> isShared = facesWithShared();
     for (VertexId v : s_.mesh.vertices()) {
       if (!hasRow_[v]) continue;
+      bool isAny = false;
+      for (HalfedgeId h : outgoingHalfedges(s_.mesh, v))
+        isAny = isAny || isShared[TriMesh::face(h)];
+      if (!isAny) continue;
       for (HalfedgeId h : outgoingHalfedges(s_.mesh, v)) addFace(TriMesh::face(h));
       couple();
     }
     for (FaceId f : s_.mesh.faces()) {
+      if (!isShared[f]) continue;
       addFace(f);
       couple();
     }

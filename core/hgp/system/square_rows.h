@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <complex>
 #include <vector>
 
 namespace hgp {
@@ -16,30 +17,31 @@ class SquareRows {
 
   explicit SquareRows(int unknowns, std::size_t expectedTerms = 0)
       : linear(Vector::Zero(unknowns)) {
-    terms_.reserve(expectedTerms);
+    unknown_.reserve(expectedTerms);
+    factor_.reserve(expectedTerms);
   }
 
   /// Terms of one row with the same unknown are added.
-  void add(int unknown, const Scalar& value) { terms_.emplace_back(count_, unknown, value); }
+  void add(int unknown, const Scalar& value) {
+    unknown_.push_back(unknown);
+    factor_.push_back(value);
+  }
   void endRow(const Scalar& constant = 0.0) {
-    for (; done_ < terms_.size(); ++done_)
-      linear[terms_[done_].col()] += Eigen::numext::conj(terms_[done_].value()) * constant;
-    ++count_;
+    for (auto i = static_cast<std::size_t>(start_.back()); i < unknown_.size(); ++i)
+      linear[unknown_[i]] += Eigen::numext::conj(factor_[i]) * constant;
+    start_.push_back(static_cast<int>(unknown_.size()));
   }
-  /// H. The rows are freed before it is returned.
-  Form takeForm() {
-    Form rows(count_, linear.size());
-    rows.setFromTriplets(terms_.begin(), terms_.end());
-    terms_ = {};
-    return rows.adjoint() * rows;
-  }
+  /// H, whose two triangles are conjugates to the last bit. The rows are freed.
+  Form takeForm();
 
   Vector linear;  ///< c
 
  private:
-  std::vector<Eigen::Triplet<Scalar>> terms_;
-  std::size_t done_ = 0;
-  int count_ = 0;
+  std::vector<int> start_{0}, unknown_;
+  std::vector<Scalar> factor_;
 };
+
+extern template class SquareRows<double>;
+extern template class SquareRows<std::complex<double>>;
 
 }  // namespace hgp

@@ -1,4 +1,4 @@
-// Sums of squares of rows.  Law: the form is the sum.
+// Sums of squares of rows.  Law: the form is the sum; its columns are sorted, and its triangles conjugates to the last bit.
 #include "hgp/system/square_rows.h"
 
 #include <gtest/gtest.h>
@@ -52,6 +52,16 @@ void expectSumOfSquares() {
     squares += std::norm(value);
     atZero += std::norm(constant);
   }
+  ASSERT_TRUE(H.isCompressed());
+  for (int j = 0; j < 5; ++j)
+    for (typename Eigen::SparseMatrix<Scalar>::InnerIterator it(H, j), before(H, j); it; ++it) {
+      if (it.row() != before.row()) {
+        EXPECT_LT(before.row(), it.row()) << "column " << j;
+        ++before;
+      }
+      EXPECT_EQ(H.coeff(j, it.row()), Eigen::numext::conj(it.value())) << it.row() << ", " << j;
+    }
+  EXPECT_EQ(H.nonZeros(), 13) << "the pairs that rows mention";
   const double form = std::real(x.dot(H * x)) + 2.0 * std::real(linear.dot(x)) + atZero;
   EXPECT_NEAR(form, squares, 1e-14);
 }

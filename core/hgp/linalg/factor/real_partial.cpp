@@ -12,9 +12,12 @@ namespace {
 /// Here both are real, so that half the usual number of iterations weighs the same.
 constexpr int kIterations = 6;
 
+/// By position in the elimination order; of `A`, the columns that are not empty.
 void addDiagonal(const Eigen::SparseMatrix<double>& A, const SymbolicFactor& f,
                  std::vector<double>& diagonal) {
-  for (int k = 0; k < f.size(); ++k) diagonal[k] += portable::abs(A.coeff(f.order[k], f.order[k]));
+  for (int j = 0; j < f.size(); ++j)
+    if (A.outerIndexPtr()[j] < A.outerIndexPtr()[j + 1])
+      diagonal[f.position[j]] += portable::abs(A.coeff(j, j));
 }
 
 }  // namespace
@@ -34,6 +37,8 @@ void RealPartialCholesky::build(const Sparse& H, const SeparatorTree& tree,
   isReduced_.assign(f.order.size(), 0);
   for (int t = 0; t < f.nodeCount(); ++t)
     for (int k = f.nodeStart[t]; k < f.nodeStart[t + 1]; ++k) isReduced_[k] = f.dynamicNode[t];
+  diagonal_.assign(f.order.size(), 0.0);
+  addDiagonal(H, f, diagonal_);
   statics_.layOut(symbolic_, 0);
   reduced_.layOut(symbolic_, 1);
   staticStatus_ = eliminate(nullptr, statics_, &complements_);
@@ -43,8 +48,7 @@ void RealPartialCholesky::build(const Sparse& H, const SeparatorTree& tree,
 FactorStatus RealPartialCholesky::eliminate(const Sparse* blocks, PanelFactor<double>& panels,
                                             std::vector<Contribution<double>>* left) const {
   const SymbolicFactor& f = *symbolic_;
-  std::vector<double> diagonal(f.order.size(), 0.0);
-  addDiagonal(*H_, f, diagonal);
+  std::vector<double> diagonal = diagonal_;
   const FrontSource<double> own = matrixSource(*H_, f);
   FrontSource<double> changing;
   if (blocks != nullptr) {

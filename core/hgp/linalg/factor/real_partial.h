@@ -49,6 +49,7 @@ class RealPartialCholesky {
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::vector<char> isReduced_;  ///< by position
   const Sparse* H_ = nullptr;
+  std::vector<double> diagonal_;  ///< of H, absolute values by position
   FactorStatus staticStatus_;
   PanelFactor<double> statics_, reduced_;
   std::vector<Contribution<double>> complements_;  ///< by node; of static ones below reduced ones

@@ -59,6 +59,18 @@ Graph graphOf(const Eigen::SparseMatrix<Scalar>& matrix) {
 template Graph graphOf(const Eigen::SparseMatrix<double>&);
 template Graph graphOf(const Eigen::SparseMatrix<std::complex<double>>&);
 
+Graph graphOf(int vertexCount, const std::vector<std::array<int, 2>>& edges) {
+  std::vector<int> count(static_cast<std::size_t>(vertexCount), 0);
+  const auto forEachEdge = [&](auto&& take) {
+    for (const auto& [a, b] : edges) take(a, b);
+  };
+  forEachEdge([&](int a, int b) {
+    ++count[a];
+    ++count[b];
+  });
+  return graphFromLists(vertexCount, count, forEachEdge);
+}
+
 Graph withCliques(const Graph& graph, const Cliques& cliques) {
   const int n = graph.size();
   const auto forEachEdge = [&](auto&& take) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <vector>
 
 namespace hgp::linalg {
@@ -24,6 +25,9 @@ using Cliques = std::vector<std::vector<int>>;
 /// The off-diagonal pattern of a square matrix, made symmetric (entries of one triangle suffice).
 template <class Scalar>
 Graph graphOf(const Eigen::SparseMatrix<Scalar>& matrix);
+
+/// Of these pairs of different vertices, each in either order and as often as one likes.
+Graph graphOf(int vertexCount, const std::vector<std::array<int, 2>>& edges);
 
 /// `graph` plus an edge between any two members of a clique.
 Graph withCliques(const Graph& graph, const Cliques& cliques);

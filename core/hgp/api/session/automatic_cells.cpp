@@ -19,6 +19,9 @@ constexpr double kFewestOfMany = 200.0;
 constexpr double kMaxAutomatic = 1e6;
 /// A second run is worth its time up to this many triangles.
 constexpr std::size_t kRunTwice = 100'000;
+/// How many times as many cells are better than other cones: tiles of a quarter of the length look much the same, but quads are
+/// what somebody works with.
+constexpr double kMoreTiles = 16.0, kMoreQuads = 4.0;
 
 /// A number of cells with which every component is aligned; 0 if one of them knows none. All have one spacing, so that the
 /// most demanding one decides.
@@ -56,6 +59,17 @@ double automaticCells(const Model& model, const Request& request, int conesAlong
     cells = std::max({area * across * across, kFewestCells, needed});
   }
   return std::max(1.0, std::round(std::min(cells, kMaxAutomatic)));
+}
+
+bool isAnyNumberGood(const Model& model, const SolveOptions& options,
+                     const Result<Parametrization>& run) {
+  if (!options.choosesCells || model.components.size() > 1) return false;
+  if (!run || !run->isCertified || !run->grid) return false;
+  const GridReport& grid = *run->grid;
+  if (grid.isAligned) return true;
+  const double more = options.grid.mode == GridMode::kQuad ? kMoreQuads : kMoreTiles;
+  return model.mesh.triangles.size() <= kRunTwice && grid.workingCells > 0.0 &&
+         grid.workingCells <= more * grid.cells;
 }
 
 /// Those of the fields along the request's features; 0 where features have none.

@@ -4,6 +4,7 @@
 
 #include "hgp/api/model/model.h"
 #include "hgp/api/request/request.h"
+#include "hgp/parametrize/parametrization.h"
 
 namespace hgp::api {
 
@@ -13,5 +14,10 @@ namespace hgp::api {
 /// @param conesAlong  cones of fields along features: 20 cells for each. They are many and at corners; with fewer cells lines
 ///                    are spread to keep apart
 double automaticCells(const Model& model, const Request& request, int conesAlong);
+
+/// Whether a run needs no other cones for its grid, because nobody gave the number of cells: it is aligned with whatever number, or
+/// one that works with these cones is known. Other cones cost a run each. Of several components, all must have one spacing.
+bool isAnyNumberGood(const Model& model, const SolveOptions& options,
+                     const Result<Parametrization>& run);
 
 }  // namespace hgp::api

@@ -9,6 +9,7 @@
 #include "hgp/api/request/other_cones.h"
 #include "hgp/api/request/possible_options.h"
 #include "hgp/api/request/rectangles.h"
+#include "hgp/api/session/automatic_cells.h"
 #include "hgp/api/session/map_notes.h"
 #include "hgp/api/session/session_state.h"
 #include "hgp/api/stored/convex_polygons.h"
@@ -151,8 +152,9 @@ Result<Parametrization> Session::State::solveAutomatic(std::size_t p, SolveOptio
   if (Status done = mapWithOtherCones(choice, solveFor, run, notes); !done) return done.error();
   core.maxStepsPerFace = allSteps;
   const int faces = model->components[p].mesh.faceCount();
-  if (Status done = withOtherCones(faces, choice, grid, solveWith, run, notes); !done)
-    return done.error();
+  if (!isAnyNumberGood(*model, choice, run))
+    if (Status done = withOtherCones(faces, choice, grid, solveWith, run, notes); !done)
+      return done.error();
   if (!run) return run;
   addNotes(run->notes, std::move(notes));
   run->times.insert(run->times.begin(), times.begin(), times.end());
@@ -224,7 +226,8 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
   if (!shared.grid.isAsked()) return solveComponent(p, request, shared);
   if (isCounted) {
     Result<Parametrization> only = solveComponent(p, request, shared);
-    if (only && only->grid && only->grid->isAligned) noteCells(*only, run);
+    const bool isAsked = !run.options.choosesCells;
+    if (isAsked && only && only->grid && only->grid->isAligned) noteCells(*only, run);
     return only;
   }
   const double area = surfaceArea(model->components[p].mesh);

@@ -50,6 +50,7 @@ TEST(AutomaticCells, OtherConesAreTriedWhereTheNumberMatters) {
   EXPECT_FALSE(isAnyNumberGood(one, asked, onGrid(true, 0.0)));
   EXPECT_FALSE(isAnyNumberGood(modelOf(1000, 2), tiles, onGrid(true, 0.0))) << "one spacing";
   EXPECT_TRUE(isAnyNumberGood(modelOf(100'001, 1), tiles, onGrid(true, 0.0)));
+  EXPECT_TRUE(isAnyNumberGood(modelOf(100'000, 1), tiles, onGrid(false, 200.0)));
   EXPECT_FALSE(isAnyNumberGood(modelOf(100'001, 1), tiles, onGrid(false, 200.0)))
       << "the run would not be made again with that number";
   Result<Parametrization> failed = onGrid(true, 0.0);

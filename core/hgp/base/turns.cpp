@@ -13,10 +13,13 @@ Complex rotation(long long r, int q) {
   const long long n = reduceTurn(r, q);
   const long long quarters = (8 * n / q + 1) / 2;
   const long long rest = 4 * n - quarters * q;  // in units of 2π/4q, |rest| ≤ q/2
-  const double angle = 2.0 * kPi * static_cast<double>(std::llabs(rest)) / (4.0 * q);
-  const bool isEighth = 2 * std::llabs(rest) == q;
-  const double c = isEighth ? std::numbers::sqrt2 / 2 : portable::cos(angle);
-  const double s = (rest < 0 ? -1.0 : 1.0) * (isEighth ? c : portable::sin(angle));
+  double c = 1.0, s = 0.0;
+  if (rest != 0) {
+    const double angle = 2.0 * kPi * static_cast<double>(std::llabs(rest)) / (4.0 * q);
+    const bool isEighth = 2 * std::llabs(rest) == q;
+    c = isEighth ? std::numbers::sqrt2 / 2 : portable::cos(angle);
+    s = (rest < 0 ? -1.0 : 1.0) * (isEighth ? c : portable::sin(angle));
+  }
   switch (quarters % 4) {
     case 0:
       return {c, s};

@@ -81,6 +81,7 @@ class Dissection {
     return linalg::graphOf(own_, pairs);
   }
 
+  /// Triangles with a corner that depends on a shared unknown. Most have none.
   PerFace<char> facesWithShared() const {
     std::vector<char> isShared(at(s_.cut.vertexCount()), 0);
     for (int copy = 0; copy < s_.cut.vertexCount(); ++copy)

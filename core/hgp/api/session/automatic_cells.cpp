@@ -115,6 +115,9 @@ Status Session::State::solveWithWorkingCells(const SolveOptions& options, RunRec
     return Done{};
   }
   solved = std::move(before);
+  // Nothing is advised that has just failed.
+  for (Parametrization& component : run.components)
+    if (component.grid) component.grid->workingCells = 0.0;
   return !done && done.error().code == ErrorCode::kCancelled ? done : Status(Done{});
 }
 

@@ -16,7 +16,7 @@ namespace hgp::api {
 double automaticCells(const Model& model, const Request& request, int conesAlong);
 
 /// Whether a run needs no other cones for its grid, because nobody gave the number of cells: it is aligned with whatever number, or
-/// one that works with these cones is known. Other cones cost a run each. Of several components, all must have one spacing.
+/// one that works with these cones is known, with which the run is made again. Other cones cost a run each. Of several components, all must have one spacing.
 bool isAnyNumberGood(const Model& model, const SolveOptions& options,
                      const Result<Parametrization>& run);
 
